@@ -210,7 +210,8 @@ public record Arrangement(Layout layout, List<OwnWindow> windows, List<Added> ad
       return this;
     }
     List<String> mates = there.get().views();
-    return without(view).each(l -> isSame(l, mates, border.window()) ? LayoutChange.bordered(l, view, border.edge()) : l);
+    return without(view)
+        .each(l -> isSame(l, mates, border.window()) ? LayoutChange.bordered(l, view, border.edge()) : l);
   }
 
   private static boolean isSame(Layout layout, List<String> mates, int window) {

@@ -37,8 +37,9 @@ class ArrangementTest {
   void aViewLiesBesideAnotherWithHalfOfItsRoom() {
     assertEquals(
         new Split(Direction.ROW,
-            List.of(new Tabs(List.of("map")), new Split(Direction.COLUMN, List.of(new View("scene"), new View("camera")),
-                List.of(0.5, 0.5))),
+            List.of(new Tabs(List.of("map")),
+                new Split(Direction.COLUMN, List.of(new View("scene"), new View("camera")),
+                    List.of(0.5, 0.5))),
             List.of(3.0, 1.0)),
         moved("scene", new DropTarget.Side("camera", Edge.TOP)).layout());
   }

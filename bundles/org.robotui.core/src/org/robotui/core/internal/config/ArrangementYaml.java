@@ -115,7 +115,8 @@ final class ArrangementYaml {
       Map<String, Object> part = KeptYaml.map(item);
       parts.add(layout(part));
       weights.add(part.get("weight") instanceof Number n && n.doubleValue() > 0 && n.doubleValue() < 1e9
-          ? n.doubleValue() : 1.0);
+          ? n.doubleValue()
+          : 1.0);
     }
     return new Layout.Split(direction, parts, weights);
   }

@@ -9,8 +9,9 @@ import org.robotui.api.host.Problem;
 import org.robotui.api.layout.Layout;
 
 /**
- * Reads a layout: the id of a view, {@code tabs: [ids]}, perhaps with the one that is in {@code front:}, or {@code row:} or {@code column:} with a list of layouts,
- * each with an optional {@code weight}. A view with a weight is {@code {view: id, weight: 2}}.
+ * Reads a layout: the id of a view, {@code tabs: [ids]}, perhaps with the one that is in {@code front:}, or
+ * {@code row:} or {@code column:} with a list of layouts, each with an optional {@code weight}. A view with a weight is
+ * {@code {view: id, weight: 2}}.
  */
 final class LayoutReader {
   private static final List<String> KINDS = List.of("view", "tabs", "row", "column");

@@ -148,7 +148,8 @@ final class ArrangedViews implements Arranging {
   @Override
   public Map<String, Perspective> perspectives() {
     Map<String, Perspective> all = new TreeMap<>();
-    ruic.config().perspectives().forEach((name, layout) -> all.put(name, new Perspective(new Arrangement(layout), true)));
+    ruic.config().perspectives()
+        .forEach((name, layout) -> all.put(name, new Perspective(new Arrangement(layout), true)));
     ruic.overlay().views().perspectives()
         .forEach((name, arrangement) -> all.put(name, new Perspective(arrangement, false)));
     return all;

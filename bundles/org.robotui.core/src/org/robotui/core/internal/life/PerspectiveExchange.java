@@ -64,7 +64,8 @@ record PerspectiveExchange(RuicParts ruic, ArrangedPlan plan, ArrangedViews view
     Arrangement known = file.arrangement().only(here.keySet());
     String name = freshName(file.name().isBlank() ? "Imported" : file.name());
     views.keep(name, new Arrangement(renamed(known.layout(), here),
-        known.windows().stream().map(w -> new OwnWindow(renamed(w.layout(), here), w.bounds())).toList(), added), false);
+        known.windows().stream().map(w -> new OwnWindow(renamed(w.layout(), here), w.bounds())).toList(), added),
+        false);
     return new PerspectiveImport.Kept(name, missing);
   }
 

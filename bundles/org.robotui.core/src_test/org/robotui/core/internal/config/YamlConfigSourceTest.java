@@ -81,7 +81,8 @@ class YamlConfigSourceTest {
         8, 21, "no view type 'camra' is installed; did you mean 'camera'?");
     assertProblem(GOOD.replace("title: Front", "titel: Front"), 8, 29, "unknown setting 'titel'");
     assertProblem(GOOD.replace("layout:", "layuot:"), 12, 5, "did you mean 'layout'?");
-    assertProblem(GOOD.replace("front: camera", "front: map"), 15, 51, "'front' must be one of its tabs: extra, camera");
+    assertProblem(GOOD.replace("front: camera", "front: map"), 15, 51,
+        "'front' must be one of its tabs: extra, camera");
     assertProblem(GOOD.replace("[extra, camera], front: camera", "[extra, map]"), 13, 7, "'map' has two places");
     assertProblem(GOOD.replace("Drive: map", "Drive: mpa"), 16, 58, "there is no view 'mpa'; did you mean 'map'?");
     assertProblem(GOOD.replace("view: map", "view: mpa"), 14, 18, "there is no view 'mpa'; did you mean 'map'?");

@@ -91,7 +91,8 @@ class YamlOverlayTest {
 
   @Test
   void aPerspectiveForOthersIsReadAsItWasWritten() throws IOException {
-    PerspectiveFile file = new PerspectiveFile("Drive", new Arrangement(ARRANGED.layout(), ARRANGED.windows(), List.of()),
+    PerspectiveFile file = new PerspectiveFile("Drive",
+        new Arrangement(ARRANGED.layout(), ARRANGED.windows(), List.of()),
         Map.of("map", new View("map", Map.of("follow", true, "trail", 5000L)), "plot-2", new View("plot", Map.of())));
     assertEquals(file, new YamlOverlay().perspective(new YamlOverlay().text(file)));
   }

@@ -153,7 +153,8 @@ class ArrangingTest {
     String without = HEAD.replace("      camera: {type: camera}\n", "");
     restart(without);
     arranging().arrange(arranging().now().with("map", new DropTarget.Border(0, Edge.LEFT)));
-    arranging().arrange(arranging().now().adding(new Added("map-2", "map")).with("map-2", new DropTarget.Tab("map", 9)));
+    arranging()
+        .arrange(arranging().now().adding(new Added("map-2", "map")).with("map-2", new DropTarget.Tab("map", 9)));
     restart(HEAD);
     assertTrue(arranging().now().views().containsAll(List.of("map", "map-2", "camera")), arranging().now().toString());
   }
@@ -178,7 +179,8 @@ class ArrangingTest {
 
   @Test
   void aPerspectiveGoesToAnotherRobot() {
-    arranging().arrange(arranging().now().adding(new Added("map-2", "map")).with("map-2", new DropTarget.Tab("map", 0)));
+    arranging()
+        .arrange(arranging().now().adding(new Added("map-2", "map")).with("map-2", new DropTarget.Tab("map", 0)));
     arranging().keep("Two maps");
     String text = arranging().export("Two maps").orElseThrow();
     assertEquals(Optional.empty(), arranging().export("Nothing"));
@@ -187,7 +189,8 @@ class ArrangingTest {
         "map-2: {type: camera}"));
     PerspectiveImport.Kept kept = assertInstanceOf(PerspectiveImport.Kept.class,
         arranging().take(text.replace("type: camera", "type: radar")));
-    assertEquals(new PerspectiveImport.Kept("Two maps", List.of("'camera': no view of type 'radar' is installed")), kept);
+    assertEquals(new PerspectiveImport.Kept("Two maps", List.of("'camera': no view of type 'radar' is installed")),
+        kept);
     Arrangement taken = arranging().perspectives().get("Two maps").arrangement();
     // Neither is overwritten: the map here has another zoom, and map-2 here is a camera.
     assertEquals(List.of(new Added("map-3", "map"), new Added("map-4", "map")), taken.added());

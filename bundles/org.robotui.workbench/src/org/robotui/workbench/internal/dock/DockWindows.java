@@ -35,6 +35,7 @@ final class DockWindows implements DockTree.Builder, ViewStack.Gestures, ViewSta
   private final List<ViewWindow> own = new ArrayList<>();
   private final Map<String, ViewHolder> holders = new HashMap<>();
   private Optional<TabDrag> drag = Optional.empty();
+  private Optional<Arrangement> shown = Optional.empty();
 
   DockWindows(Composite surface, Theme theme, Ruic ruic, Docking docking, Runnable addView) {
     this.surface = surface;
@@ -53,8 +54,17 @@ final class DockWindows implements DockTree.Builder, ViewStack.Gestures, ViewSta
     own.clear();
   }
 
-  /** Lays the views out. */
-  void show(Arrangement now) {
+  /** Lays the views out. True where that changed something. */
+  boolean show(Arrangement now) {
+    boolean changes = !Optional.of(now).equals(shown);
+    if (changes) {
+      shown = Optional.of(now);
+      layOut(now);
+    }
+    return changes;
+  }
+
+  private void layOut(Arrangement now) {
     surface.setRedraw(false);
     List<ViewWindow> wanted = windows(now);
     List<DockTree> trees = Stream.concat(Stream.of(main), wanted.stream().map(ViewWindow::tree)).toList();
@@ -128,6 +138,11 @@ final class DockWindows implements DockTree.Builder, ViewStack.Gestures, ViewSta
         own.stream().filter(w -> w.tree() == tree).forEach(w -> w.shell().setActive());
       }
     }));
+  }
+
+  /** Gives a view the keys again that it had, where it still is in front of its tabs. */
+  void focus(String view) {
+    stacks().filter(stack -> stack.seenId().equals(view)).forEach(ViewStack::setFocus);
   }
 
   private Optional<DockTree> treeOf(ViewStack stack) {

@@ -61,8 +61,9 @@ public final class RuicSurface extends Composite {
   public void arranged() {
     if (!isDisposed()) {
       Optional<String> focused = focused().map(ViewEntry::id);
-      windows.show(docking.now());
-      focused.ifPresent(this::reveal);
+      if (windows.show(docking.now())) {
+        focused.ifPresent(windows::focus);
+      }
     }
   }
 

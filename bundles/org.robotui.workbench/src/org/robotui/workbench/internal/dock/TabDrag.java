@@ -13,7 +13,9 @@ import org.robotui.api.layout.DropTarget;
 import org.robotui.api.layout.Edge;
 import org.robotui.api.layout.WindowBounds;
 
-/** One view that is dragged by its title: shows where it would lie, and says where it is dropped. Display thread only. */
+/**
+ * One view that is dragged by its title: shows where it would lie, and says where it is dropped. Display thread only.
+ */
 final class TabDrag {
   private static final int BORDER = 14;
   private static final double BORDER_SHARE = 0.3;

@@ -26,7 +26,8 @@ public final class MessagePane extends Composite {
   private static final int HEIGHT = 96;
 
   /** Says it, with a button for each choice. */
-  public MessagePane(Composite parent, Theme theme, Health health, String title, String sentence, List<Choice> choices) {
+  public MessagePane(Composite parent, Theme theme, Health health, String title, String sentence,
+      List<Choice> choices) {
     super(parent, SWT.NONE);
     setBackground(theme.color(Role.PANEL));
     GridLayout layout = new GridLayout(Math.max(1, choices.size()), false);

@@ -149,8 +149,8 @@ record LayoutActions(Shell shell, Theme theme, RuicSurface surface) {
 
   private void take(Path file, PerspectiveImport outcome) {
     switch (outcome) {
-      case PerspectiveImport.Refused refused ->
-        MessageDialog.openError(shell, "Import perspective", file + ": " + refused.reason());
+      case PerspectiveImport.Refused refused -> MessageDialog.openError(shell, "Import perspective",
+          file + ": " + refused.reason());
       case PerspectiveImport.Kept kept -> {
         surface.docking().choose(kept.name());
         if (!kept.missing().isEmpty()) {

@@ -69,7 +69,8 @@ final class Gallery {
     TopBar bar = place(new TopBar(shell, theme, Menus.ALL, new NoActions()), SWT.FILL, SWT.TOP, 2);
     Navigator navigator = place(new Navigator(shell, theme, new NoActions()), SWT.BEGINNING, SWT.FILL, 1);
     ((GridData) navigator.getLayoutData()).widthHint = 220;
-    RobotArea area = place(new RobotArea(shell, theme, r -> new ArrangeHistory(), new NoActions()), SWT.FILL, SWT.FILL, 1);
+    RobotArea area =
+        place(new RobotArea(shell, theme, r -> new ArrangeHistory(), new NoActions()), SWT.FILL, SWT.FILL, 1);
     StatusBar status = place(new StatusBar(shell, theme, () -> {}), SWT.FILL, SWT.BOTTOM, 2);
     FakeRuic keira = keira();
     keira.authority().take(YOU, false);
