@@ -32,7 +32,7 @@ class DragViewsTest extends SurfaceBench {
 
   @Test
   void aViewIsDraggedBesideAnotherAndGoesOnAsItWas() {
-    RuicSurface surface = show(ROW);
+    show(ROW);
     Control painted = map.control;
 
     drag("map", camera.control, camera.control.getSize().x / 2, camera.control.getSize().y - 20);
@@ -63,7 +63,7 @@ class DragViewsTest extends SurfaceBench {
 
   @Test
   void aTabIsDraggedBeforeAnother() {
-    RuicSurface surface = show(new Layout.Tabs(List.of("map", "plot", "camera")));
+    show(new Layout.Tabs(List.of("map", "plot", "camera")));
     TitleLine line = line("map");
 
     drag("map", line, line.getSize().x - 200, 10);
@@ -105,7 +105,7 @@ class DragViewsTest extends SurfaceBench {
 
   @Test
   void escapeEndsADrag() {
-    RuicSurface surface = show(ROW);
+    show(ROW);
     TitleLine from = line("map");
     Point target = from.toControl(camera.control.toDisplay(50, 50));
     send(from, SWT.MouseDown, 20, 10, 0, 1);
@@ -125,7 +125,7 @@ class DragViewsTest extends SurfaceBench {
 
   @Test
   void aPressThatHardlyMovesIsNoDrag() {
-    RuicSurface surface = show(ROW);
+    show(ROW);
     TitleLine from = line("map");
     send(from, SWT.MouseDown, 20, 10, 0, 1);
     send(from, SWT.MouseMove, 23, 12, SWT.BUTTON1, 0);
