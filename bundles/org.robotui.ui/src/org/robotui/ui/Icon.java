@@ -53,6 +53,8 @@ public enum Icon {
   CLOSE("M 3.5 3.5 L 12.5 12.5 M 12.5 3.5 L 3.5 12.5"),
   /** It is so. */
   CHECK("M 2.5 8.5 L 6.5 12.5 L 13.5 4"),
+  /** As large as before. */
+  RESTORE("M 5.5 2.5 L 13.5 2.5 L 13.5 10.5 M 2.5 5.5 L 10.5 5.5 L 10.5 13.5 L 2.5 13.5 Z"),
   /** A list of choices. */
   MORE("O 3 8 0.8 O 8 8 0.8 O 13 8 0.8"),
   /** Drive. */

@@ -9,11 +9,20 @@ import org.robotui.api.layout.Layout;
 /** A RUIC as an application handles it. Methods return at once; work is done on core's workers. */
 public interface Ruic extends RuicView {
   /**
-   * Where its views lie: the configured layout, else that of its type.
+   * Where its views lie, and what changes that.
+   *
+   * @return always the same
+   */
+  Arranging arranging();
+
+  /**
+   * Where its views in the main window lie.
    *
    * @return the layout
    */
-  Layout layout();
+  default Layout layout() {
+    return arranging().now().layout();
+  }
 
   /**
    * Whether it waits until it is shown for the first time, as {@code start: when_shown} has it; until then nothing of

@@ -35,16 +35,30 @@ public sealed interface Layout {
   /**
    * Views of which one is seen at a time.
    *
-   * @param uics ids, at least one; the first is seen first
+   * @param uics ids
+   * @param front which one is seen first, from 0
    */
-  record Tabs(List<String> uics) implements Layout {
+  record Tabs(List<String> uics, int front) implements Layout {
     /**
-     * Copies the list.
+     * Copies the list and checks.
      *
-     * @param uics ids
+     * @param uics ids; none where a window has no view
+     * @param front which one is seen first
      */
     public Tabs {
       uics = List.copyOf(uics);
+      if (front < 0 || front > 0 && front >= uics.size()) {
+        throw new IllegalArgumentException("of " + uics.size() + " tabs none is number " + front);
+      }
+    }
+
+    /**
+     * Tabs of which the first is seen first.
+     *
+     * @param uics ids
+     */
+    public Tabs(List<String> uics) {
+      this(uics, 0);
     }
   }
 

@@ -44,7 +44,7 @@ public final class FakeRuic implements Ruic {
   private final FakeShowings showings = new FakeShowings();
   private final List<String> calls = new CopyOnWriteArrayList<>();
   private final List<String> windows = new CopyOnWriteArrayList<>();
-  private volatile Layout layout = new Layout.View("none");
+  private final FakeArranging arranging = new FakeArranging();
   private volatile LinkState link = new LinkState.Connected("test");
   private volatile RuicState state = RuicState.INITIALIZED;
   private volatile boolean waits;
@@ -137,7 +137,7 @@ public final class FakeRuic implements Ruic {
    * @return this
    */
   public FakeRuic laidOut(Layout value) {
-    layout = value;
+    arranging.write(value);
     return this;
   }
 
@@ -297,8 +297,8 @@ public final class FakeRuic implements Ruic {
   }
 
   @Override
-  public Layout layout() {
-    return layout;
+  public FakeArranging arranging() {
+    return arranging;
   }
 
   @Override

@@ -18,6 +18,7 @@ import org.robotui.api.host.HostListener;
 import org.robotui.api.host.Problem;
 import org.robotui.api.host.Ruic;
 import org.robotui.workbench.internal.display.Overviewer;
+import org.robotui.workbench.internal.dock.ArrangeHistory;
 import org.robotui.workbench.internal.model.Alerts;
 import org.robotui.workbench.internal.model.Overview;
 import org.robotui.workbench.internal.model.Stops;
@@ -39,7 +40,7 @@ public final class WorkbenchSession {
   private final Overviewer overviewer;
   private final Windows windows;
   private final Map<Object, WindowModel> models = new HashMap<>();
-  private final Map<String, Map<String, int[]>> shares = new HashMap<>();
+  private final Map<String, ArrangeHistory> histories = new HashMap<>();
   private final Map<String, ExchangeDialog> exchanges = new HashMap<>();
   private final List<Runnable> refreshers = new CopyOnWriteArrayList<>();
   private final List<Runnable> loaders = new CopyOnWriteArrayList<>();
@@ -142,9 +143,9 @@ public final class WorkbenchSession {
     return configurations;
   }
 
-  /** How the user divided splits, by RUIC and place. */
-  public Map<String, Map<String, int[]>> shares() {
-    return shares;
+  /** How the views of a RUIC were arranged before, for undo. */
+  public ArrangeHistory history(Ruic ruic) {
+    return histories.computeIfAbsent(ruic.name(), name -> new ArrangeHistory());
   }
 
   /** What went wrong last. */

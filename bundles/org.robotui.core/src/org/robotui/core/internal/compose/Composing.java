@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Optional;
 import org.robotui.api.ComponentType;
 import org.robotui.api.RuicType;
-import org.robotui.api.UicType;
 import org.robotui.api.host.Composition;
 import org.robotui.api.host.CompositionState;
 import org.robotui.api.host.CompositionState.Stage;
@@ -25,6 +24,7 @@ import org.robotui.core.internal.life.LoneInterface;
 import org.robotui.core.internal.life.Services;
 import org.robotui.core.internal.match.Have;
 import org.robotui.core.internal.match.Supplier;
+import org.robotui.core.internal.match.ViewFits;
 
 /** A RUIC that is put together, with a robot interface that runs for it alone. */
 public final class Composing implements Composition {
@@ -69,7 +69,8 @@ public final class Composing implements Composition {
     Stage stage = stage(failure.isPresent(), up, known, supplier.settled());
     List<Have> haves = known ? always.stream().map(p -> new Have(new SourceId(wanted.id(), p.name()), p)).toList()
         : up ? robot.offers().stream().map(o -> new Have(o.id(), o.port())).toList() : List.of();
-    List<ViewFit> views = ViewFits.of(uics(), haves, known ? new Supplier(wanted.id(), true, "") : supplier);
+    List<ViewFit> views = ViewFits.of(services.registry().uics(), haves,
+        List.of(known ? new Supplier(wanted.id(), true, "") : supplier));
     List<PortStatus> ports = known ? haves.stream().map(Composing::offered).toList()
         : up ? robot.offers().stream().map(o -> o.status(services.clock())).toList() : List.of();
     return new CompositionState(stage, sentence(stage, failure, haves.size()), robot.link(), ports, views,
@@ -108,10 +109,6 @@ public final class Composing implements Composition {
   private static PortStatus offered(Have have) {
     return new PortStatus(have.id(), have.port().kind(), have.port().typeName(), false, 0, 0, Double.NaN, false, 0, "",
         "");
-  }
-
-  private List<UicType> uics() {
-    return services.registry().uicIds().stream().flatMap(id -> services.registry().uic(id).stream()).toList();
   }
 
   private List<RuicType> ruics() {

@@ -14,7 +14,7 @@ import org.robotui.api.config.ValueType;
 import org.robotui.api.host.InterfaceConfig;
 import org.robotui.api.host.RuicDraft;
 import org.robotui.api.layout.Layout;
-import org.robotui.core.internal.life.PrunedLayout;
+import org.robotui.api.layout.LayoutChange;
 
 /**
  * A RUIC as lines of a configuration: no more than its type does not say already.
@@ -94,7 +94,7 @@ record RuicText(RuicDraft draft, RuicType type, InterfaceConfig robot, Schema sc
       lines.add("  uics:");
       more.forEach(id -> lines.add("    " + YamlWords.text(id) + ": {}"));
       lines.add("  layout:");
-      layout(with(PrunedLayout.without(RuicFits.layout(type), without), more), 4, lines);
+      layout(with(LayoutChange.without(RuicFits.layout(type), without), more), 4, lines);
     }
     return lines;
   }

@@ -1,18 +1,21 @@
 package org.robotui.core.internal.config;
 
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.robotui.api.host.Problem;
 import org.robotui.api.layout.Layout;
 
 /**
- * Reads a layout: the id of a view, {@code tabs: [ids]}, or {@code row:} or {@code column:} with a list of layouts,
- * each with an optional {@code weight}. A view with a weight is {@code {view: id, weight: 2}}.
+ * Reads a layout: the id of a view, {@code tabs: [ids]}, perhaps with the one that is in {@code front:}, or
+ * {@code row:} or {@code column:} with a list of layouts, each with an optional {@code weight}. A view with a weight is
+ * {@code {view: id, weight: 2}}.
  */
 final class LayoutReader {
   private static final List<String> KINDS = List.of("view", "tabs", "row", "column");
-  private static final List<String> KEYS = List.of("view", "tabs", "row", "column", "weight");
+  private static final List<String> KEYS = List.of("view", "tabs", "front", "row", "column", "weight");
 
   private final Known views;
   private final List<Problem> problems;
@@ -22,7 +25,18 @@ final class LayoutReader {
     this.problems = problems;
   }
 
-  Optional<Layout> read(YamlValue value) {
+  /** Reads a layout in which no view has two places. */
+  Optional<Layout> readWhole(YamlValue value) {
+    Optional<Layout> layout = read(value);
+    List<String> views = layout.map(Layout::views).orElse(List.of());
+    Set<String> once = new HashSet<>();
+    List<String> twice = views.stream().filter(id -> !once.add(id)).distinct().toList();
+    twice.forEach(id -> problems.add(value.place().error("the view '" + id
+        + "' has two places in the layout; for a second view of its type write one with an id of its own under uics:")));
+    return layout.filter(l -> twice.isEmpty());
+  }
+
+  private Optional<Layout> read(YamlValue value) {
     return switch (value) {
       case YamlValue.Scalar s -> view(s);
       case YamlValue.Section s -> section(s);
@@ -55,16 +69,20 @@ final class LayoutReader {
     YamlValue.Entry kind = kinds.getFirst();
     return switch (kind.key()) {
       case "view" -> view(kind.value());
-      case "tabs" -> tabs(kind.value());
+      case "tabs" -> tabs(kind.value(), section.get("front"));
       case "row" -> split(Layout.Direction.ROW, kind.value());
       default -> split(Layout.Direction.COLUMN, kind.value());
     };
   }
 
-  private Optional<Layout> tabs(YamlValue value) {
+  private Optional<Layout> tabs(YamlValue value, Optional<YamlValue> front) {
     named(value, "'tabs'");
     List<String> ids = Shape.items(value).stream().flatMap(v -> viewId(v).stream()).toList();
-    return ids.isEmpty() ? Optional.empty() : Optional.of(new Layout.Tabs(ids));
+    int index = front.flatMap(this::viewId).map(ids::indexOf).orElse(0);
+    if (index < 0) {
+      problems.add(front.get().place().error("'front' must be one of its tabs: " + String.join(", ", ids)));
+    }
+    return ids.isEmpty() ? Optional.empty() : Optional.of(new Layout.Tabs(ids, Math.max(0, index)));
   }
 
   private Optional<Layout> split(Layout.Direction direction, YamlValue value) {

@@ -1,6 +1,7 @@
 package org.robotui.core.internal.config;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -20,7 +21,7 @@ import org.robotui.data.geometry.FrameTransform;
 /** Reads one RUIC. */
 final class RuicReader {
   private static final List<String> OWN =
-      List.of("type", "start", "rfics", "frames", "without", "uics", "connect", "layout", "safety");
+      List.of("type", "start", "rfics", "frames", "without", "uics", "connect", "layout", "perspectives", "safety");
 
   private static final String AT_ONCE = "at_once";
   private static final String SHOWN = "when_shown";
@@ -55,13 +56,21 @@ final class RuicReader {
     needed(entry, type, rfics, ids);
     List<ConnectionConfig> connections =
         new ConnectionReader(views, Known.all(ids(rfics)), problems).read(part(section, "connect"));
-    Optional<Layout> layout = section.get("layout").flatMap(new LayoutReader(views, problems)::read);
+    Optional<Layout> layout = section.get("layout").flatMap(new LayoutReader(views, problems)::readWhole);
+    Map<String, Layout> perspectives = perspectives(part(section, "perspectives"), views);
     Map<String, SafetyConfig> safety = new SafetyReader(types, problems).read(part(section, "safety"), rfics);
     List<FrameTransform> frames = section.get("frames").map(new FramesReader(problems)::read).orElse(List.of());
     boolean startsShown = section.get("start").map(this::startsShown).orElse(false);
     Place at = entry.place();
     return new RuicConfig(name, at.file(), at.line(), at.column(), type, raw, rfics, without, uics, connections, layout,
-        safety, frames, startsShown);
+        perspectives, safety, frames, startsShown);
+  }
+
+  private Map<String, Layout> perspectives(YamlValue.Section section, Known views) {
+    Map<String, Layout> layouts = new LinkedHashMap<>();
+    section.entries().forEach(entry -> new LayoutReader(views, problems).readWhole(entry.value())
+        .ifPresent(layout -> layouts.put(entry.key(), layout)));
+    return layouts;
   }
 
   private List<String> without(YamlValue value, Known ofType) {

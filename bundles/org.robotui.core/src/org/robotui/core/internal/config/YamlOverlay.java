@@ -4,53 +4,45 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.function.Consumer;
 import org.robotui.api.config.AtomicFile;
 import org.robotui.api.config.NamedFile;
 import org.robotui.api.port.SourceId;
 import org.robotui.core.internal.config.model.ChosenInterface;
 import org.robotui.core.internal.config.model.Overlay;
 import org.robotui.core.internal.config.model.OverlayFile;
-import org.yaml.snakeyaml.DumperOptions;
-import org.yaml.snakeyaml.LoaderOptions;
-import org.yaml.snakeyaml.Yaml;
-import org.yaml.snakeyaml.constructor.SafeConstructor;
+import org.robotui.core.internal.config.model.PerspectiveFile;
 import org.yaml.snakeyaml.error.YAMLException;
-import org.yaml.snakeyaml.representer.Representer;
 
 /** Keeps what users changed as YAML, so that it can be read, shared and mended by hand. */
 public final class YamlOverlay implements OverlayFile {
   private static final long MAX_BYTES = 4 << 20;
-  private static final int MAX_DEPTH = 20;
 
   @Override
-  public Map<String, Overlay> read(Path file) throws IOException {
+  public Map<String, Overlay> read(Path file, Consumer<String> damage) throws IOException {
     if (!Files.exists(file)) {
       return Map.of();
     }
     try {
-      Object root = yaml().load(NamedFile.text(file, MAX_BYTES));
-      bounded(root, 0);
+      Object root = KeptYaml.value(NamedFile.text(file, MAX_BYTES));
       Map<String, Overlay> overlays = new LinkedHashMap<>();
-      map(Optional.ofNullable(root).orElse(Map.of())).forEach((name, value) -> overlays.put(name, overlay(map(value))));
+      KeptYaml.map(root).forEach(
+          (name, value) -> overlay(name, value, damage).ifPresent(overlay -> overlays.put(name, overlay)));
       return overlays;
     } catch (YAMLException | ClassCastException | IllegalArgumentException e) {
       throw new IOException(file + " is not what was kept there: " + e.getMessage(), e);
     }
   }
 
-  /** An alias of something that it is part of would be followed for ever. */
-  private static void bounded(Object value, int depth) {
-    if (depth > MAX_DEPTH) {
-      throw new YAMLException("it is nested too deeply");
-    }
-    switch (value) {
-      case Map<?, ?> map -> map.values().forEach(v -> bounded(v, depth + 1));
-      case List<?> list -> list.forEach(v -> bounded(v, depth + 1));
-      case null, default -> {}
+  private static Optional<Overlay> overlay(String name, Object value, Consumer<String> damage) {
+    try {
+      return Optional.of(overlay(KeptYaml.map(value)));
+    } catch (ClassCastException | IllegalArgumentException e) {
+      damage.accept("what was kept of " + name + " cannot be understood: " + e.getMessage());
+      return Optional.empty();
     }
   }
 
@@ -58,14 +50,22 @@ public final class YamlOverlay implements OverlayFile {
   public void write(Path file, Map<String, Overlay> overlays) throws IOException {
     Map<String, Object> root = new TreeMap<>();
     overlays.forEach((name, overlay) -> root.put(name, written(overlay)));
-    AtomicFile.writePrivate(file, yaml().dump(root));
+    AtomicFile.writePrivate(file, KeptYaml.text(root));
   }
 
-  private static Yaml yaml() {
-    DumperOptions options = new DumperOptions();
-    options.setDefaultFlowStyle(DumperOptions.FlowStyle.BLOCK);
-    LoaderOptions limits = new LoaderOptions();
-    return new Yaml(new SafeConstructor(limits), new Representer(options), options, limits);
+  @Override
+  public String text(PerspectiveFile perspective) {
+    return "# A perspective of RobotUI: where views lie, and what they are. Import it by View > Perspectives.\n"
+        + KeptYaml.text(KeptViewsYaml.written(perspective));
+  }
+
+  @Override
+  public PerspectiveFile perspective(String text) throws IOException {
+    try {
+      return KeptViewsYaml.perspective(KeptYaml.value(text));
+    } catch (YAMLException | IllegalArgumentException e) {
+      throw new IOException(e.getMessage(), e);
+    }
   }
 
   private static Map<String, Object> written(Overlay overlay) {
@@ -77,6 +77,10 @@ public final class YamlOverlay implements OverlayFile {
       Map<String, Object> interfaces = new TreeMap<>();
       overlay.interfaces().forEach((id, chosen) -> interfaces.put(id, written(chosen)));
       written.put("rfics", interfaces);
+    }
+    Map<String, Object> views = KeptViewsYaml.written(overlay.views());
+    if (!views.isEmpty()) {
+      written.put("views", views);
     }
     return written;
   }
@@ -92,18 +96,18 @@ public final class YamlOverlay implements OverlayFile {
 
   private static Overlay overlay(Map<String, Object> value) {
     Map<String, Map<String, Object>> settings = new LinkedHashMap<>();
-    map(value.getOrDefault("settings", Map.of())).forEach((view, values) -> settings.put(view, asKept(map(values))));
+    KeptYaml.map(value.get("settings")).forEach((view, values) -> settings.put(view, KeptYaml.settings(values)));
     Map<SourceId, SourceId> connections = new LinkedHashMap<>();
-    map(value.getOrDefault("connect", Map.of()))
+    KeptYaml.map(value.get("connect"))
         .forEach((port, peer) -> connections.put(port(port), port(peer.toString())));
     Map<String, ChosenInterface> interfaces = new LinkedHashMap<>();
-    map(value.getOrDefault("rfics", Map.of())).forEach((id, chosen) -> interfaces.put(id, chosen(map(chosen))));
-    return new Overlay(settings, connections, interfaces);
+    KeptYaml.map(value.get("rfics")).forEach((id, chosen) -> interfaces.put(id, chosen(KeptYaml.map(chosen))));
+    return new Overlay(settings, connections, interfaces, KeptViewsYaml.read(value.get("views")));
   }
 
   private static ChosenInterface chosen(Map<String, Object> value) {
     return new ChosenInterface(text(value, "type"), text(value, "robot"),
-        asKept(map(value.getOrDefault("settings", Map.of()))),
+        KeptYaml.settings(value.get("settings")),
         text(value, "instead_of"));
   }
 
@@ -111,22 +115,8 @@ public final class YamlOverlay implements OverlayFile {
     return value.getOrDefault(key, "").toString();
   }
 
-  /** YAML reads small numbers as Integer; settings hold Long. */
-  private static Map<String, Object> asKept(Map<String, Object> values) {
-    Map<String, Object> kept = new LinkedHashMap<>();
-    values.forEach((name, value) -> kept.put(name, value instanceof Integer i ? (Object) i.longValue() : value));
-    return kept;
-  }
-
   private static SourceId port(String text) {
     int dot = text.indexOf('.');
     return new SourceId(text.substring(0, Math.max(0, dot)), text.substring(dot + 1));
-  }
-
-  private static Map<String, Object> map(Object value) {
-    Map<String, Object> copy = new LinkedHashMap<>();
-    Map<?, ?> written = "".equals(value) ? Map.of() : (Map<?, ?>) value;
-    written.forEach((k, v) -> copy.put(String.valueOf(k), v == null ? "" : v));
-    return copy;
   }
 }

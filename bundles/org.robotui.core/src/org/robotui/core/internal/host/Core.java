@@ -156,7 +156,7 @@ public final class Core implements Host {
 
   private synchronized void add(Path file, RuicConfig config, List<Problem> problems) {
     OverlayStore store = overlays.computeIfAbsent(parts.state().overlay(file),
-        path -> new OverlayStore(parts.overlays(), path, files));
+        path -> new OverlayStore(parts.overlays(), path, files, lost -> events.alert("", lost)));
     if (ruics.stream().anyMatch(r -> r.name().equals(config.name()))) {
       problems.add(new Problem(config.file(), config.line(), config.column(), Problem.Severity.ERROR,
           "a RUIC '" + config.name() + "' runs already; give this one another name, or remove the other first"));

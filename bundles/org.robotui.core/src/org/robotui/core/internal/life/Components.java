@@ -2,7 +2,9 @@ package org.robotui.core.internal.life;
 
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.function.Predicate;
@@ -16,6 +18,8 @@ import org.robotui.core.internal.port.StreamSource;
 
 /** All components of one RUIC. Changed on its worker only, read by all. */
 final class Components {
+  private static final Duration CLOSE_LIMIT = Duration.ofSeconds(2);
+
   private final RuicParts ruic;
   private volatile List<RficSlot> rfics = List.of();
   private volatile List<UicSlot> uics = List.of();
@@ -30,6 +34,33 @@ final class Components {
     uics = views.stream().map(c -> new UicSlot(c, authority, ruic)).toList();
     rfics.forEach(Slot::start);
     shown().forEach(Slot::start);
+  }
+
+  /**
+   * Ends the views that are not wanted any more, at the same time, and starts those that are new; all others go on.
+   * Returns what could not be ended.
+   */
+  List<String> rearrange(List<ComponentConfig> views, Supplier<Authority> authority) {
+    Map<String, UicSlot> there = new LinkedHashMap<>();
+    uics.forEach(slot -> there.put(slot.id(), slot));
+    List<UicSlot> next = views.stream().map(view -> Optional.ofNullable(there.remove(view.id()))
+        .orElseGet(() -> new UicSlot(view, authority, ruic))).toList();
+    List<UicSlot> fresh = next.stream().filter(slot -> !uics.contains(slot)).toList();
+    List<Instance> ending = there.values().stream().<Instance>flatMap(s -> s.instance().stream()).toList();
+    uics = next;
+    List<String> left = endViews(List.copyOf(there.values()));
+    left.addAll(ending.isEmpty() ? List.of() : ruic.strays(ending));
+    fresh.stream().filter(UicSlot::isShown).forEach(Slot::start);
+    return left;
+  }
+
+  private List<String> endViews(List<UicSlot> views) {
+    try {
+      return new ArrayList<>(closeAll(views, CLOSE_LIMIT));
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return new ArrayList<>(List.of("ending views was interrupted"));
+    }
   }
 
   /** Puts another robot interface, which does not run yet, in the place of the one of its id, which has ended. */

@@ -10,6 +10,7 @@ import org.robotui.api.RuicType.UicSpec;
 import org.robotui.api.config.Settings;
 import org.robotui.api.host.Problem;
 import org.robotui.api.layout.Layout;
+import org.robotui.api.layout.LayoutChange;
 import org.robotui.core.internal.config.model.CheckedSettings;
 import org.robotui.core.internal.config.model.ComponentConfig;
 import org.robotui.core.internal.config.model.RuicConfig;
@@ -57,7 +58,7 @@ public record Plan(Optional<RuicType> type, List<ComponentConfig> uics, Layout l
     for (ComponentConfig written : config.uics()) {
       uics.merge(written.id(), written, (spec, own) -> own.type().isEmpty() ? own.withType(spec.type()) : own);
     }
-    Layout layout = config.layout().orElseGet(() -> PrunedLayout.without(type.layout(settings), config.without()));
+    Layout layout = config.layout().orElseGet(() -> LayoutChange.without(type.layout(settings), config.without()));
     return new Plan(Optional.of(type), uics.values().stream().map(Plan::typed).toList(), layout);
   }
 

@@ -128,6 +128,11 @@ public final class Registry implements TypeLookup {
     return missing(id, uics.formerBundle(id), uics.ids());
   }
 
+  /** The types of views that are installed, by id. */
+  public List<UicType> uics() {
+    return uicIds().stream().flatMap(id -> uic(id).stream()).toList();
+  }
+
   /** Why there is no such type of RUIC. */
   public String missingRuic(String id) {
     return missing(id, ruics.formerBundle(id), ruics.ids());

@@ -21,6 +21,7 @@ record RuicDiff(Written written, RuicConfig before, RuicConfig after) {
   List<String> live() {
     List<String> words = new ArrayList<>();
     add(words, "connect", connections(before).equals(connections(after)));
+    add(words, "perspectives", before.perspectives().equals(after.perspectives()));
     add(words, "safety", before.safety().equals(after.safety()));
     return words;
   }

@@ -2,9 +2,12 @@ package org.robotui.core.internal.life;
 
 import java.util.HashMap;
 import java.util.Map;
+import java.util.function.UnaryOperator;
 import org.robotui.api.port.SourceId;
 import org.robotui.core.internal.config.model.ChosenInterface;
+import org.robotui.core.internal.config.model.KeptViews;
 import org.robotui.core.internal.config.model.Overlay;
+import org.robotui.core.internal.config.model.OverlayFile;
 
 /**
  * What the user changed in one RUIC.
@@ -25,11 +28,12 @@ public record RuicOverlay(OverlayStore store, String ruic) {
 
   void set(String uic, String name, Object value) {
     store.change(ruic, old -> new Overlay(with(old.settings(), uic, with(settingsOf(old, uic), name, value)),
-        old.connections(), old.interfaces()));
+        old.connections(), old.interfaces(), old.views()));
   }
 
   void connect(SourceId port, SourceId peer) {
-    store.change(ruic, old -> new Overlay(old.settings(), with(old.connections(), port, peer), old.interfaces()));
+    store.change(ruic, old -> new Overlay(old.settings(), with(old.connections(), port, peer),
+        old.interfaces(), old.views()));
   }
 
   /** The robot interfaces that took the place of written ones, by id. */
@@ -38,7 +42,8 @@ public record RuicOverlay(OverlayStore store, String ruic) {
   }
 
   void put(String id, ChosenInterface chosen) {
-    store.change(ruic, old -> new Overlay(old.settings(), old.connections(), with(old.interfaces(), id, chosen)));
+    store.change(ruic, old -> new Overlay(old.settings(), old.connections(),
+        with(old.interfaces(), id, chosen), old.views()));
   }
 
   /** What is written holds again. */
@@ -47,9 +52,24 @@ public record RuicOverlay(OverlayStore store, String ruic) {
       store.change(ruic, old -> {
         Map<String, ChosenInterface> others = new HashMap<>(old.interfaces());
         others.remove(id);
-        return new Overlay(old.settings(), old.connections(), others);
+        return new Overlay(old.settings(), old.connections(), others, old.views());
       });
     }
+  }
+
+  /** How the views are arranged. */
+  KeptViews views() {
+    return store.get(ruic).views();
+  }
+
+  void arrange(UnaryOperator<KeptViews> change) {
+    store.change(ruic, old -> new Overlay(old.settings(), old.connections(), old.interfaces(),
+        change.apply(old.views())));
+  }
+
+  /** How perspectives are written for others, and read. */
+  OverlayFile format() {
+    return store.format();
   }
 
   private static Map<String, Object> settingsOf(Overlay overlay, String uic) {

@@ -22,7 +22,6 @@ import org.robotui.api.host.InterfaceConfig;
 import org.robotui.api.host.Ruic;
 import org.robotui.api.host.RuicSnapshot;
 import org.robotui.api.host.RuicState;
-import org.robotui.api.layout.Layout;
 import org.robotui.api.port.Envelope;
 import org.robotui.api.port.SourceId;
 import org.robotui.api.show.ShowChoice;
@@ -58,7 +57,8 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
   private Optional<RuicType> plannedWith = Optional.empty(); // only on the worker
   private boolean wasSelected; // only on the worker
   private boolean waits; // until it is shown; only on the worker
-  private volatile Layout layout = new Layout.Tabs(List.of());
+  private boolean stands; // its components were made; only on the worker
+  private final ArrangedViews arranged;
   private volatile Health health = Health.ADDED;
 
   /** A RUIC that has nothing yet. */
@@ -80,7 +80,7 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
     this.wiring = new Wiring(parts, components, this::tell);
     this.lateViews = new LateViews(services, components, worker::run, this::started);
     this.interfaces = new RuicInterfaces(parts, this.config, new AtomicReference<>(config), components, robots, wiring);
-    this.layout = config.layout().orElse(layout);
+    this.arranged = new ArrangedViews(parts, wiring, this::rearranged);
   }
 
   /** Creates all components; of a RUIC that starts when it is shown, then. */
@@ -103,11 +103,23 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
 
   private void create(Plan plan) {
     plannedWith = plan.type();
-    layout = plan.layout();
-    components.start(config.get().rfics(), plan.uics(), robots::first);
+    arranged.plan(plan);
+    components.start(config.get().rfics(), arranged.running(), robots::first);
+    stands = true;
     wiring.rematch();
     set(Health.RUNNING);
     applySelection();
+  }
+
+  /** Applications lay out what there is at once; the views that come and go follow. */
+  private void rearranged() {
+    tell();
+    worker.run(() -> {
+      if (stands) {
+        components.rearrange(arranged.running(), robots::first).forEach(l -> services.events().alert(name(), l));
+        started();
+      }
+    });
   }
 
   private void set(Health now) {
@@ -150,6 +162,7 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
   /** Ends all components; logs what is left. */
   private List<String> end(Duration limit) {
     plannedWith = Optional.empty();
+    stands = false;
     try {
       List<String> left = components.close(limit);
       left.forEach(l -> services.events().alert(name(), l));
@@ -371,8 +384,8 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
   }
 
   @Override
-  public Layout layout() {
-    return layout;
+  public ArrangedViews arranging() {
+    return arranged;
   }
 
   @Override
@@ -382,6 +395,6 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
 
   @Override
   public String title(String id) {
-    return components.uic(id).map(UicSlot::title).orElse(id);
+    return arranged.title(id).orElse(id);
   }
 }

@@ -35,7 +35,7 @@ final class Showings {
 
   /** What can be done with it, those that can be done first. */
   List<ShowChoice> choices(Subject subject) {
-    return services.registry().uicIds().stream().flatMap(id -> services.registry().uic(id).stream())
+    return services.registry().uics().stream()
         .filter(type -> services.stage().get().shows(type.surface()))
         .flatMap(type -> showings(type).stream().filter(s -> s.isFor(subject)).flatMap(s -> choices(type, s, subject)))
         .sorted(ORDER).toList();

@@ -82,7 +82,14 @@ final class UicSlot extends Slot<UicType, UicInstance> {
   }
 
   String title() {
-    return config().title().isEmpty() ? find().map(UicType::label).orElse(id()) : config().title();
+    return title(config(), find());
+  }
+
+  /** What users call a view. One that was added is called after its type; the second one of a type says so. */
+  static String title(ComponentConfig view, Optional<UicType> type) {
+    String label = type.map(UicType::label).orElse(view.id());
+    String number = view.id().startsWith(view.type() + "-") ? view.id().substring(view.type().length() + 1) : "";
+    return !view.title().isEmpty() ? view.title() : number.matches("[0-9]+") ? label + " " + number : label;
   }
 
   ComponentStatus status(RuicState ruicState) {

@@ -6,8 +6,10 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
+import org.robotui.api.UicType;
 import org.robotui.api.host.Match;
 import org.robotui.api.host.MatchState;
+import org.robotui.api.host.ViewFit;
 import org.robotui.api.port.PortKind;
 import org.robotui.api.port.SourceId;
 import org.robotui.core.internal.config.model.ConnectionConfig;
@@ -16,6 +18,7 @@ import org.robotui.core.internal.match.Choice;
 import org.robotui.core.internal.match.Have;
 import org.robotui.core.internal.match.Matcher;
 import org.robotui.core.internal.match.Supplier;
+import org.robotui.core.internal.match.ViewFits;
 import org.robotui.core.internal.match.Want;
 import org.robotui.core.internal.port.Offered;
 
@@ -58,6 +61,13 @@ public final class Wiring {
       changed.run();
     }
     lookAgain(suppliers);
+  }
+
+  /** How well types of views fit what the robots offer now. */
+  List<ViewFit> fits(List<UicType> types) {
+    List<Have> haves = components.rfics().stream().flatMap(s -> s.offers().stream())
+        .map(o -> new Have(o.id(), o.port())).toList();
+    return ViewFits.of(types, haves, components.rfics().stream().map(RficSlot::supplier).toList());
   }
 
   /** What is pending because an interface is still looking must not stay so when it has found all there is. */

@@ -35,7 +35,8 @@ class YamlConfigSourceTest {
           layout:
             row:
               - {view: map, weight: 2}
-              - column: [camera, {tabs: [extra, map]}]
+              - column: [{tabs: [extra, camera], front: camera}]
+          perspectives: {Look: {tabs: [extra, camera]}, Drive: map}
           safety:
             Natalie: {max_linear: 0.5, stop_call: {interface: ros, service: /stop}}
       """;
@@ -58,6 +59,9 @@ class YamlConfigSourceTest {
     assertEquals("/stop", ruic.safety("Natalie").stopCall().orElseThrow().request().service());
     Layout.Split split = (Layout.Split) ruic.layout().orElseThrow();
     assertEquals(List.of(2.0, 1.0), split.weights());
+    assertEquals(new Layout.Tabs(List.of("extra", "camera"), 1), split.parts().getLast());
+    assertEquals(Map.of("Look", new Layout.Tabs(List.of("extra", "camera")), "Drive", new Layout.View("map")),
+        ruic.perspectives());
   }
 
   @Test
@@ -77,6 +81,10 @@ class YamlConfigSourceTest {
         8, 21, "no view type 'camra' is installed; did you mean 'camera'?");
     assertProblem(GOOD.replace("title: Front", "titel: Front"), 8, 29, "unknown setting 'titel'");
     assertProblem(GOOD.replace("layout:", "layuot:"), 12, 5, "did you mean 'layout'?");
+    assertProblem(GOOD.replace("front: camera", "front: map"), 15, 51,
+        "'front' must be one of its tabs: extra, camera");
+    assertProblem(GOOD.replace("[extra, camera], front: camera", "[extra, map]"), 13, 7, "'map' has two places");
+    assertProblem(GOOD.replace("Drive: map", "Drive: mpa"), 16, 58, "there is no view 'mpa'; did you mean 'map'?");
     assertProblem(GOOD.replace("view: map", "view: mpa"), 14, 18, "there is no view 'mpa'; did you mean 'map'?");
     assertProblem(GOOD.replace("[ros.scan,", "[rso.scan,"), 10, 18,
         "there is no robot interface 'rso'; did you mean 'ros'?");

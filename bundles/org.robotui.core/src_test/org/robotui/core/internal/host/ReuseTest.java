@@ -58,7 +58,7 @@ class ReuseTest {
     List<ComponentConfig> uics = List.of(views).stream().map(this::component).toList();
     reuse.add(new RuicConfig(name, "f", 1, 1, "", check.nothing(), List.of(component(framework)), List.of(), uics,
         List.of(), Optional.empty(),
-        Map.of(), List.of(), false), new Plan(Optional.empty(), uics, new Layout.Tabs(List.of())));
+        Map.of(), Map.of(), List.of(), false), new Plan(Optional.empty(), uics, new Layout.Tabs(List.of())));
   }
 
   @Test

@@ -49,7 +49,7 @@ class PlanTest {
   private RuicConfig config(String type, Optional<Layout> layout, ComponentConfig... uics) {
     return new RuicConfig("r", "f.yaml", 1, 1, type, check.nothing(), List.of(), List.of(), List.of(uics), List.of(),
         layout,
-        Map.of(), List.of(), false);
+        Map.of(), Map.of(), List.of(), false);
   }
 
   private ComponentConfig uic(String id, String type) {

@@ -14,7 +14,7 @@ import org.eclipse.swt.widgets.Spinner;
 import org.eclipse.swt.widgets.Text;
 import org.robotui.ui.SpaceKey;
 import org.robotui.ui.control.QuietButton;
-import org.robotui.workbench.internal.pane.RuicSurface;
+import org.robotui.workbench.internal.dock.RuicSurface;
 
 /**
  * The keys that stop: F12 everywhere, also in dialogs, and space in the views of a robot. They are seen before any

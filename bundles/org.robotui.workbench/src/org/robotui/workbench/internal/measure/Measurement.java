@@ -21,7 +21,7 @@ import org.robotui.api.host.Host;
 import org.robotui.api.host.HostListener;
 import org.robotui.api.host.Ruic;
 import org.robotui.api.port.PortKind;
-import org.robotui.workbench.internal.pane.RuicSurface;
+import org.robotui.workbench.internal.dock.RuicSurface;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 

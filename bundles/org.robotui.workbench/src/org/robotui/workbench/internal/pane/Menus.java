@@ -8,6 +8,7 @@ public final class Menus {
   public static final List<TopBar.MenuTitle> ALL = List.of(
       new TopBar.MenuTitle("file", "File"),
       new TopBar.MenuTitle("view", "View"),
+      new TopBar.MenuTitle("perspective", "Perspective"),
       new TopBar.MenuTitle("robot", "Robot"),
       new TopBar.MenuTitle("window", "Window"),
       new TopBar.MenuTitle("help", "Help"));

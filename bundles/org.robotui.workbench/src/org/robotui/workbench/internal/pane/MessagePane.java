@@ -14,18 +14,20 @@ import org.robotui.ui.Theme;
 import org.robotui.ui.control.QuietButton;
 
 /** Says in the middle of a place why there is nothing else, and what would help. Display thread only. */
-final class MessagePane extends Composite {
+public final class MessagePane extends Composite {
   /**
    * Something that would help.
    *
    * @param label a short imperative
    * @param action does it
    */
-  record Choice(String label, Runnable action) {}
+  public record Choice(String label, Runnable action) {}
 
   private static final int HEIGHT = 96;
 
-  MessagePane(Composite parent, Theme theme, Health health, String title, String sentence, List<Choice> choices) {
+  /** Says it, with a button for each choice. */
+  public MessagePane(Composite parent, Theme theme, Health health, String title, String sentence,
+      List<Choice> choices) {
     super(parent, SWT.NONE);
     setBackground(theme.color(Role.PANEL));
     GridLayout layout = new GridLayout(Math.max(1, choices.size()), false);

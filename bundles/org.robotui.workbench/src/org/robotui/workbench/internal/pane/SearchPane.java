@@ -69,8 +69,13 @@ public final class SearchPane extends Composite {
 
   /** Opens the list of shortcuts in a window, in place of a search that is open there. */
   public static SearchPane openShortcuts(Shell shell, Theme theme, List<SearchEntry> all) {
+    return openList(shell, theme, "Search keyboard shortcuts", all);
+  }
+
+  /** Opens a list in a window, in place of a search that is open there. */
+  public static SearchPane openList(Shell shell, Theme theme, String hint, List<SearchEntry> all) {
     in(shell).ifPresent(SearchPane::close);
-    return new SearchPane(shell, theme, "Search keyboard shortcuts", all).take();
+    return new SearchPane(shell, theme, hint, all).take();
   }
 
   private SearchPane take() {

@@ -13,7 +13,7 @@ import org.eclipse.ui.IWorkbenchWindow;
 import org.eclipse.ui.actions.CompoundContributionItem;
 import org.eclipse.ui.menus.IWorkbenchContribution;
 import org.eclipse.ui.services.IServiceLocator;
-import org.robotui.workbench.internal.pane.RuicSurface;
+import org.robotui.workbench.internal.dock.RuicSurface;
 
 /** In the menu Help: the documentation, and its page about the view that had the focus last. */
 public final class HelpItems extends CompoundContributionItem implements IWorkbenchContribution {

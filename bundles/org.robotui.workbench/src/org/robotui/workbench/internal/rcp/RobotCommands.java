@@ -12,6 +12,7 @@ import org.robotui.workbench.internal.WorkbenchSession;
 public final class RobotCommands extends AbstractHandler {
   private static final String PREFIX = "org.robotui.workbench.command.";
   private static final String THEME = "org.robotui.workbench.theme";
+  private static final String NUMBER = "org.robotui.workbench.perspective";
 
   @Override
   public Object execute(ExecutionEvent event) throws ExecutionException {
@@ -35,6 +36,13 @@ public final class RobotCommands extends AbstractHandler {
       case "connections" -> actions.withSelected(actions::connections);
       case "exchange" -> actions.withSelected(actions::exchange);
       case "reuse" -> actions.reuse();
+      case "view.add" -> actions.addView();
+      case "view.close" -> actions.layout().ifPresent(LayoutActions::close);
+      case "view.maximize" -> actions.layout().ifPresent(layout -> layout.surface().maximize());
+      case "layout.undo" -> actions.layout().ifPresent(layout -> layout.surface().docking().undo());
+      case "layout.redo" -> actions.layout().ifPresent(layout -> layout.surface().docking().redo());
+      case "layout.reset" -> actions.layout().ifPresent(layout -> layout.surface().docking().reset());
+      case "perspective" -> actions.perspective(Integer.parseInt(event.getParameter(NUMBER)));
       case "theme" -> session.look().change(event.getParameter(THEME));
       default -> throw new ExecutionException("no such command: " + event.getCommand().getId());
     }

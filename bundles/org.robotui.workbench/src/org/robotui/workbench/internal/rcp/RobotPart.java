@@ -17,8 +17,8 @@ import org.robotui.workbench.internal.WorkbenchServices;
 import org.robotui.workbench.internal.WorkbenchSession;
 import org.robotui.workbench.internal.display.ShortcutsKey;
 import org.robotui.workbench.internal.model.WindowModel;
-import org.robotui.workbench.internal.pane.RobotArea;
-import org.robotui.workbench.internal.pane.RuicSurface;
+import org.robotui.workbench.internal.dock.RobotArea;
+import org.robotui.workbench.internal.dock.RuicSurface;
 
 /** The one part that realises the layout of whatever RUIC its window shows. */
 public final class RobotPart extends ViewPart {
@@ -65,7 +65,7 @@ public final class RobotPart extends ViewPart {
   }
 
   private RobotArea area(Composite parent, Theme theme) {
-    RobotArea area = new RobotArea(parent, theme, session.shares(),
+    RobotArea area = new RobotArea(parent, theme, session::history,
         new WindowActions(session, getSite().getWorkbenchWindow()));
     area.problems(session.configurations().problems());
     area.show(model.selected());

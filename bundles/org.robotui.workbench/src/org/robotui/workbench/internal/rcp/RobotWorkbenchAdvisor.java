@@ -19,6 +19,7 @@ import org.robotui.workbench.internal.Suspects;
 import org.robotui.workbench.internal.WorkbenchServices;
 import org.robotui.workbench.internal.WorkbenchSession;
 import org.robotui.workbench.internal.display.Screenshot;
+import org.robotui.workbench.internal.dock.ViewWindow;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -116,7 +117,7 @@ public final class RobotWorkbenchAdvisor extends WorkbenchAdvisor {
   /** Closes dialogs first: one that is open would keep the workbench. */
   private static void close() {
     Arrays.stream(Display.getCurrent().getShells())
-        .filter(shell -> !shell.isDisposed() && shell.getParent() != null)
+        .filter(shell -> !shell.isDisposed() && shell.getParent() != null && !ViewWindow.isOne(shell))
         .forEach(Shell::close);
     PlatformUI.getWorkbench().close();
   }

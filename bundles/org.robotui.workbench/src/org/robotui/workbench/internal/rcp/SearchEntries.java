@@ -8,8 +8,8 @@ import org.robotui.api.host.Ruic;
 import org.robotui.workbench.internal.WorkbenchSession;
 import org.robotui.workbench.internal.model.SearchEntry;
 import org.robotui.workbench.internal.pane.Menus;
-import org.robotui.workbench.internal.pane.RuicSurface;
-import org.robotui.workbench.internal.pane.ViewEntry;
+import org.robotui.workbench.internal.dock.RuicSurface;
+import org.robotui.workbench.internal.dock.ViewEntry;
 
 /**
  * What the search of a window finds: robots, views and what they can do, and all that is in the menus. Display thread

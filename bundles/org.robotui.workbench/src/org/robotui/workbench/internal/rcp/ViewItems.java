@@ -8,10 +8,13 @@ import org.eclipse.ui.IWorkbenchWindow;
 import org.eclipse.ui.actions.CompoundContributionItem;
 import org.eclipse.ui.menus.IWorkbenchContribution;
 import org.eclipse.ui.services.IServiceLocator;
-import org.robotui.workbench.internal.pane.RuicSurface;
-import org.robotui.workbench.internal.pane.ViewEntry;
+import org.robotui.api.host.Arranging.ViewChoice;
+import org.robotui.workbench.internal.dock.RuicSurface;
 
-/** In the menu View: the views of the robot that the window shows; those that are seen are checked. */
+/**
+ * In the menu View: the views of the robot that the window shows; those that are open are checked. Choosing one brings
+ * it to the front, and opens it where it is closed.
+ */
 public final class ViewItems extends CompoundContributionItem implements IWorkbenchContribution {
   private IServiceLocator locator;
 
@@ -22,19 +25,24 @@ public final class ViewItems extends CompoundContributionItem implements IWorkbe
 
   @Override
   protected IContributionItem[] getContributionItems() {
-    return RobotPart.in(locator.getService(IWorkbenchWindow.class)).flatMap(part -> part.area().surface()).stream()
-        .flatMap(surface -> surface.views().stream().map(view -> new ActionContributionItem(item(surface, view))))
+    return WindowActions.layoutOf(locator.getService(IWorkbenchWindow.class)).stream()
+        .flatMap(layout -> layout.surface().docking().arranging().views().stream()
+            .map(view -> new ActionContributionItem(item(layout, view, failed(layout.surface(), view)))))
         .toArray(IContributionItem[]::new);
   }
 
-  private static Action item(RuicSurface surface, ViewEntry view) {
-    Action action = new Action(view.label(), IAction.AS_CHECK_BOX) {
+  private static boolean failed(RuicSurface surface, ViewChoice view) {
+    return surface.views().stream().anyMatch(open -> open.id().equals(view.id()) && open.failed());
+  }
+
+  private static Action item(LayoutActions layout, ViewChoice view, boolean failed) {
+    Action action = new Action(view.title() + (failed ? " (does not work)" : ""), IAction.AS_CHECK_BOX) {
       @Override
       public void run() {
-        surface.reveal(view.id());
+        layout.show(view);
       }
     };
-    action.setChecked(view.seen());
+    action.setChecked(view.open());
     return action;
   }
 }

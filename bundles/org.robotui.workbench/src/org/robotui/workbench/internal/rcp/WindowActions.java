@@ -15,6 +15,7 @@ import org.robotui.api.host.Ruic;
 import org.robotui.api.port.SourceId;
 import org.robotui.api.show.Subject;
 import org.robotui.ui.show.SubjectMenu;
+import org.robotui.workbench.internal.WorkbenchServices;
 import org.robotui.workbench.internal.WorkbenchSession;
 import org.robotui.workbench.internal.model.ExchangeModel;
 import org.robotui.workbench.internal.model.NewRobotModel;
@@ -25,7 +26,7 @@ import org.robotui.workbench.internal.pane.LeaseMenu;
 import org.robotui.workbench.internal.pane.Navigator;
 import org.robotui.workbench.internal.pane.NewRobotDialog;
 import org.robotui.workbench.internal.pane.ReuseDialog;
-import org.robotui.workbench.internal.pane.RobotArea;
+import org.robotui.workbench.internal.dock.RobotArea;
 import org.robotui.workbench.internal.pane.SearchPane;
 import org.robotui.workbench.internal.pane.TopBar;
 
@@ -188,6 +189,28 @@ final class WindowActions implements TopBar.Actions, Navigator.Actions, RobotAre
   @Override
   public void closeProblems() {
     session.configurations().forget();
+  }
+
+  @Override
+  public void addView() {
+    layout().ifPresent(LayoutActions::addView);
+  }
+
+  /** The arrangement of the views that the window shows; none while it shows no views. */
+  Optional<LayoutActions> layout() {
+    return RobotPart.in(window).flatMap(part -> part.area().surface())
+        .map(surface -> new LayoutActions(window.getShell(), session.look().theme(), surface));
+  }
+
+  /** The same, for what the platform makes for a window. */
+  static Optional<LayoutActions> layoutOf(IWorkbenchWindow window) {
+    return new WindowActions(WorkbenchServices.session(), window).layout();
+  }
+
+  /** Arranges the views as one of the perspectives has them, by its number from 1. */
+  void perspective(int number) {
+    layout().map(l -> l.surface().docking()).ifPresent(docking -> docking.arranging().perspectives().keySet().stream()
+        .skip(number - 1L).findFirst().ifPresent(docking::choose));
   }
 
   /** Does something with the selected RUIC. */

@@ -3,7 +3,6 @@ package org.robotui.workbench.internal.pane;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Duration;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
@@ -26,6 +25,9 @@ import org.robotui.testkit.host.FakeRuic;
 import org.robotui.ui.Theme;
 import org.robotui.ui.Themes;
 import org.robotui.workbench.internal.display.Screenshot;
+import org.robotui.workbench.internal.dock.ArrangeHistory;
+import org.robotui.workbench.internal.dock.PaintedView;
+import org.robotui.workbench.internal.dock.RobotArea;
 import org.robotui.workbench.internal.model.Lease;
 import org.robotui.workbench.internal.model.PortRow;
 import org.robotui.workbench.internal.model.RobotRow;
@@ -67,7 +69,8 @@ final class Gallery {
     TopBar bar = place(new TopBar(shell, theme, Menus.ALL, new NoActions()), SWT.FILL, SWT.TOP, 2);
     Navigator navigator = place(new Navigator(shell, theme, new NoActions()), SWT.BEGINNING, SWT.FILL, 1);
     ((GridData) navigator.getLayoutData()).widthHint = 220;
-    RobotArea area = place(new RobotArea(shell, theme, new HashMap<>(), new NoActions()), SWT.FILL, SWT.FILL, 1);
+    RobotArea area =
+        place(new RobotArea(shell, theme, r -> new ArrangeHistory(), new NoActions()), SWT.FILL, SWT.FILL, 1);
     StatusBar status = place(new StatusBar(shell, theme, () -> {}), SWT.FILL, SWT.BOTTOM, 2);
     FakeRuic keira = keira();
     keira.authority().take(YOU, false);

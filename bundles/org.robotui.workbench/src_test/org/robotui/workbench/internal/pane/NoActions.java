@@ -5,6 +5,7 @@ import java.util.List;
 import org.eclipse.swt.widgets.Control;
 import org.robotui.api.host.Ruic;
 import org.robotui.api.port.SourceId;
+import org.robotui.workbench.internal.dock.RobotArea;
 
 /** Notes down what panes ask for. */
 final class NoActions implements TopBar.Actions, Navigator.Actions, RobotArea.Actions {
@@ -38,6 +39,11 @@ final class NoActions implements TopBar.Actions, Navigator.Actions, RobotArea.Ac
   @Override
   public void create() {
     // nothing
+  }
+
+  @Override
+  public void addView() {
+    calls.add("addView");
   }
 
   @Override

@@ -4,9 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.eclipse.swt.SWT;
@@ -30,10 +28,13 @@ import org.robotui.testkit.TestDisplay;
 import org.robotui.testkit.host.FakeRuic;
 import org.robotui.ui.Theme;
 import org.robotui.ui.Themes;
-import org.robotui.ui.ViewAction;
 import org.robotui.ui.ViewKey;
 import org.robotui.ui.control.QuietButton;
 import org.robotui.workbench.internal.display.StopKeys;
+import org.robotui.workbench.internal.dock.ArrangeHistory;
+import org.robotui.workbench.internal.dock.PaintedView;
+import org.robotui.workbench.internal.dock.RobotArea;
+import org.robotui.workbench.internal.dock.RuicSurface;
 import org.robotui.workbench.internal.model.Lease;
 import org.robotui.workbench.internal.model.Overview;
 import org.robotui.workbench.internal.model.SearchEntry;
@@ -50,7 +51,7 @@ class PanesTest {
   private final PaintedView camera = new PaintedView("30 Hz");
   private final FakeRuic ruic =
       new FakeRuic("Keira").in(RuicState.SELECTED, "").view("map", map).view("camera", camera);
-  private final Map<String, Map<String, int[]>> shares = new HashMap<>();
+  private final ArrangeHistory history = new ArrangeHistory();
   private Display display;
   private Theme theme;
   private Shell shell;
@@ -68,63 +69,6 @@ class PanesTest {
   void close() {
     shell.dispose();
     theme.dispose();
-  }
-
-  @Test
-  void aSplitSharesTheRoomAsTheLayoutSays() {
-    show(new Layout.Split(Layout.Direction.ROW, List.of(new Layout.View("map"), new Layout.View("camera")),
-        List.of(3.0, 1.0)));
-
-    assertEquals(3.0, (double) map.control.getSize().x / camera.control.getSize().x, 0.1);
-    assertEquals(map.control.getSize().y, camera.control.getSize().y);
-  }
-
-  @Test
-  void howTheUserDividedASplitSurvivesAnotherSelection() {
-    Layout split = new Layout.Split(Layout.Direction.ROW, List.of(new Layout.View("map"), new Layout.View("camera")),
-        List.of(1.0, 1.0));
-    RobotArea area = show(split);
-    shares.get("Keira").put("0", new int[]{900, 100});
-    area.show(Optional.empty());
-    shares.get("Keira").put("0", new int[]{900, 100});
-    area.show(Optional.of(ruic));
-    shell.layout(true, true);
-
-    assertTrue(map.control.getSize().x > 5 * camera.control.getSize().x);
-  }
-
-  @Test
-  void aTabGetsItsControlWhenItIsSeen() {
-    RobotArea area = show(new Layout.Tabs(List.of("map", "camera")));
-    assertEquals(0, camera.created);
-
-    find(area, ViewStack.class).choose(1);
-
-    assertEquals(1, camera.created);
-    assertEquals("30 Hz", find(area, TitleLine.class).note());
-  }
-
-  @Test
-  void theTitleStandsAlsoWhereItsActionsTakeAllTheRoom() {
-    TitleLine line = new TitleLine(shell, theme, List.of("Joints"), index -> {});
-    line.setSize(220, TitleLine.HEIGHT);
-    line.actions(List.of(new ViewAction("degrees", "Angles in degrees", "", Optional.of(() -> true), () -> {}),
-        new ViewAction("yaml", "Copy as YAML", "copy", Optional.empty(), () -> {})));
-
-    List<QuietButton> seen = Controls.all(line, QuietButton.class).stream().filter(QuietButton::getVisible).toList();
-    assertEquals(2, seen.size(), "one action, and the button for what there is no room for");
-    assertTrue(seen.stream().allMatch(button -> button.getLocation().x >= 60), "none over the title");
-  }
-
-  @Test
-  void framesOfATabThatIsNotSeenAreNotPainted() {
-    RobotArea area = show(new Layout.Tabs(List.of("map", "camera")));
-    find(area, ViewStack.class).choose(1);
-    int before = map.refreshed;
-
-    area.surface().orElseThrow().refresh("map");
-
-    assertEquals(before, map.refreshed);
   }
 
   @Test
@@ -158,20 +102,6 @@ class PanesTest {
     area.surface().orElseThrow().refresh("map");
 
     assertTrue(map.control.isDisposed());
-    assertEquals(List.of("surfaceFailed map"), ruic.calls());
-  }
-
-  @Test
-  void aFailureOnTheDisplayThreadIsBlamedOnTheViewWhoseCodeTookPart() {
-    RobotArea area = show(new Layout.View("map"));
-
-    assertFalse(area.surface().orElseThrow().blame(foreign()));
-    assertTrue(area.surface().orElseThrow().blame(new IllegalStateException("thrown in this package")));
-
-    assertEquals(List.of(), ruic.calls(), "not within the paint that failed");
-    while (area.getDisplay().readAndDispatch()) {
-      // what was put off is done now
-    }
     assertEquals(List.of("surfaceFailed map"), ruic.calls());
   }
 
@@ -251,40 +181,6 @@ class PanesTest {
   }
 
   @Test
-  void theTitleOfTheViewThatHasTheKeysIsMarked() {
-    RobotArea area = show(new Layout.Split(Layout.Direction.ROW,
-        List.of(new Layout.View("map"), new Layout.View("camera")), List.of(1.0, 1.0)));
-    List<TitleLine> lines = Controls.all(area, TitleLine.class);
-    shell.open();
-    TestDisplay.until(() -> camera.control.forceFocus() && camera.control.isFocusControl());
-
-    TestDisplay.until(() -> !lines.getFirst().isFocused() && lines.getLast().isFocused());
-    area.surface().orElseThrow().reveal("map");
-
-    TestDisplay.until(() -> lines.getFirst().isFocused() && !lines.getLast().isFocused());
-    assertEquals(Optional.of("map"), area.surface().orElseThrow().focused().map(ViewEntry::id));
-    Text elsewhere = new Text(shell, SWT.NONE);
-    TestDisplay.until(() -> elsewhere.forceFocus() && elsewhere.isFocusControl());
-
-    assertEquals(Optional.empty(), area.surface().orElseThrow().focused());
-    assertEquals(Optional.of("map"), area.surface().orElseThrow().lastFocused().map(ViewEntry::id),
-        "whose page the menu Help has");
-  }
-
-  @Test
-  void viewsAreListedWithWhatIsSeenAndWhatDoesNotWork() {
-    ruic.surfaceFailed("camera", "it threw");
-    RuicSurface surface = show(new Layout.Tabs(List.of("map", "camera"))).surface().orElseThrow();
-
-    assertEquals(List.of("map true", "camera (does not work) false"),
-        surface.views().stream().map(view -> view.label() + " " + view.seen()).toList());
-
-    surface.reveal("camera");
-
-    assertEquals(List.of(false, true), surface.views().stream().map(ViewEntry::seen).toList());
-  }
-
-  @Test
   void theSearchTakesTheKeysAtOnceAndGivesThemBack() {
     show(new Layout.View("map"));
     shell.open();
@@ -353,18 +249,11 @@ class PanesTest {
 
   private RobotArea show(Layout layout) {
     ruic.laidOut(layout);
-    RobotArea area = new RobotArea(shell, theme, shares, actions);
+    RobotArea area = new RobotArea(shell, theme, r -> history, actions);
     area.show(Optional.of(ruic));
     shell.open();
     shell.layout(true, true);
     return area;
-  }
-
-  private static Throwable foreign() {
-    Throwable failure = new IllegalStateException("elsewhere");
-    failure
-        .setStackTrace(new StackTraceElement[]{new StackTraceElement("org.example.Other", "paint", "Other.java", 1)});
-    return failure;
   }
 
   private static void press(Composite above, String hint) {

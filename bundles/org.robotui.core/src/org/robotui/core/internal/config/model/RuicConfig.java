@@ -1,5 +1,7 @@
 package org.robotui.core.internal.config.model;
 
+import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -20,6 +22,7 @@ import org.robotui.data.geometry.FrameTransform;
  * @param uics views that it adds to, or configures of, those of its type
  * @param connections named connections
  * @param layout where the views lie, in place of the layout of its type
+ * @param perspectives other layouts, by the names that users know them by
  * @param safety by name of the robot
  * @param frames how its robots stand to one another: fixed, and never forgotten
  * @param startsShown true where nothing of it runs before it is shown for the first time
@@ -36,6 +39,7 @@ public record RuicConfig(
     List<ComponentConfig> uics,
     List<ConnectionConfig> connections,
     Optional<Layout> layout,
+    Map<String, Layout> perspectives,
     Map<String, SafetyConfig> safety,
     List<FrameTransform> frames,
     boolean startsShown) {
@@ -53,6 +57,7 @@ public record RuicConfig(
    * @param uics views
    * @param connections named connections
    * @param layout where the views lie
+   * @param perspectives other layouts
    * @param safety by name of the robot
    * @param frames how its robots stand to one another
    * @param startsShown whether it waits until it is shown
@@ -62,6 +67,7 @@ public record RuicConfig(
     without = List.copyOf(without);
     uics = List.copyOf(uics);
     connections = List.copyOf(connections);
+    perspectives = Collections.unmodifiableMap(new LinkedHashMap<>(perspectives));
     safety = Map.copyOf(safety);
     frames = List.copyOf(frames);
   }
@@ -74,22 +80,20 @@ public record RuicConfig(
    */
   public RuicConfig with(ComponentConfig next) {
     List<ComponentConfig> changed = rfics.stream().map(c -> c.id().equals(next.id()) ? next : c).toList();
-    return new RuicConfig(name, file, line, column, type, raw, changed, without, uics, connections, layout, safety,
-        frames,
-        startsShown);
+    return new RuicConfig(name, file, line, column, type, raw, changed, without, uics, connections, layout,
+        perspectives, safety, frames, startsShown);
   }
 
   /**
-   * The same with what may be changed while it runs as another one says it: named connections and how robots are kept
-   * safe.
+   * The same with what may be changed while it runs as another one says it: named connections, perspectives and how
+   * robots are kept safe.
    *
    * @param other as written now
    * @return a copy
    */
   public RuicConfig withLiveParts(RuicConfig other) {
     return new RuicConfig(name, file, line, column, type, raw, rfics, without, uics, other.connections, layout,
-        other.safety, frames,
-        startsShown);
+        other.perspectives, other.safety, frames, startsShown);
   }
 
   /**

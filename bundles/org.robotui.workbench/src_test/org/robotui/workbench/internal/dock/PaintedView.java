@@ -1,4 +1,4 @@
-package org.robotui.workbench.internal.pane;
+package org.robotui.workbench.internal.dock;
 
 import java.util.List;
 import java.util.Optional;
@@ -12,17 +12,18 @@ import org.robotui.ui.ViewAction;
 import org.robotui.ui.ViewKey;
 
 /** A view that counts what is done to it; it can be made to throw. */
-class PaintedView implements SwtUic {
-  final String note;
-  int created;
-  int refreshed;
-  int painted;
-  boolean throwsOnCreate;
-  boolean throwsOnRefresh;
-  boolean followed = true;
-  Control control;
+public class PaintedView implements SwtUic {
+  public final String note;
+  public int created;
+  public int refreshed;
+  public int painted;
+  public boolean throwsOnCreate;
+  public boolean throwsOnRefresh;
+  public boolean followed = true;
+  public Control control;
 
-  PaintedView(String note) {
+  /** A view with a note in its title line. */
+  public PaintedView(String note) {
     this.note = note;
   }
 

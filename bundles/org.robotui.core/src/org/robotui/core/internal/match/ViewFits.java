@@ -1,4 +1,4 @@
-package org.robotui.core.internal.compose;
+package org.robotui.core.internal.match;
 
 import java.util.Comparator;
 import java.util.List;
@@ -16,30 +16,26 @@ import org.robotui.api.port.Arity;
 import org.robotui.api.port.Port;
 import org.robotui.api.port.PortKind;
 import org.robotui.api.port.SourceId;
-import org.robotui.core.internal.match.Have;
-import org.robotui.core.internal.match.Matcher;
-import org.robotui.core.internal.match.Supplier;
-import org.robotui.core.internal.match.Want;
 
 /**
  * Says of types of views how well they fit what a robot offers. A pure function: the same matcher as for a RUIC that
  * runs.
  */
-final class ViewFits {
+public final class ViewFits {
   private static final int NAMED = 3;
 
   private ViewFits() {}
 
   /** Of all that can be seen in a window: those that fit first. */
-  static List<ViewFit> of(List<UicType> types, List<Have> haves, Supplier supplier) {
-    return types.stream().filter(t -> t.surface() == Surface.WINDOW).map(t -> of(t, haves, supplier))
+  public static List<ViewFit> of(List<UicType> types, List<Have> haves, List<Supplier> suppliers) {
+    return types.stream().filter(t -> t.surface() == Surface.WINDOW).map(t -> of(t, haves, suppliers))
         .sorted(Comparator.comparing(ViewFit::fit).thenComparing(ViewFit::label)).toList();
   }
 
-  static ViewFit of(UicType type, List<Have> haves, Supplier supplier) {
+  private static ViewFit of(UicType type, List<Have> haves, List<Supplier> suppliers) {
     List<Port> ports = type.ports();
     List<Want> wants = ports.stream().map(p -> new Want(new SourceId(type.id(), p.name()), p)).toList();
-    List<Match> matches = Matcher.match(wants, haves, List.of(supplier), Map.of());
+    List<Match> matches = Matcher.match(wants, haves, suppliers, Map.of());
     List<Match> needed =
         IntStream.range(0, ports.size()).filter(i -> isNeeded(ports.get(i))).mapToObj(matches::get).toList();
     Fit fit = fit(ports.isEmpty(), needed, matches);

@@ -1,9 +1,8 @@
-package org.robotui.workbench.internal.pane;
+package org.robotui.workbench.internal.dock;
 
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
+import java.util.function.Function;
 import java.util.stream.Stream;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.layout.GridData;
@@ -14,10 +13,11 @@ import org.robotui.api.host.Problem;
 import org.robotui.api.host.Ruic;
 import org.robotui.api.host.RuicSnapshot;
 import org.robotui.api.host.RuicState;
-import org.robotui.api.layout.Layout;
 import org.robotui.ui.Health;
 import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
+import org.robotui.workbench.internal.pane.MessagePane;
+import org.robotui.workbench.internal.pane.ProblemsPane;
 
 /**
  * Most of a window: the views of the selected robot, or why there are none and what would help; above them what is
@@ -40,14 +40,16 @@ public final class RobotArea extends Composite {
 
     /** The user has seen the problems. */
     void closeProblems();
+
+    /** Has the user choose a view to add. */
+    void addView();
   }
 
   private final Theme theme;
   private final Actions actions;
-  private final Map<String, Map<String, int[]>> shares;
+  private final Function<Ruic, ArrangeHistory> histories;
   private Optional<ProblemsPane> problems = Optional.empty();
   private Optional<RuicSurface> surface = Optional.empty();
-  private Optional<Layout> built = Optional.empty();
   private Optional<Control> message = Optional.empty();
   private String said = "";
 
@@ -56,13 +58,13 @@ public final class RobotArea extends Composite {
    *
    * @param parent the parent
    * @param theme colours and fonts
-   * @param shares how the user divided splits, by RUIC and place; outlives the area
+   * @param histories how the views of RUICs were arranged before; outlives the area
    * @param actions what can be done
    */
-  public RobotArea(Composite parent, Theme theme, Map<String, Map<String, int[]>> shares, Actions actions) {
+  public RobotArea(Composite parent, Theme theme, Function<Ruic, ArrangeHistory> histories, Actions actions) {
     super(parent, SWT.NONE);
     this.theme = theme;
-    this.shares = shares;
+    this.histories = histories;
     this.actions = actions;
     setBackground(theme.color(Role.PANEL));
     GridLayout layout = new GridLayout(1, false);
@@ -113,7 +115,8 @@ public final class RobotArea extends Composite {
     } else if (now.state() == RuicState.ADDED || now.state() == RuicState.SHUT_DOWN) {
       say(Health.WAITING, ruic.name() + (now.state() == RuicState.ADDED ? " is starting" : " has ended"), "",
           List.of());
-    } else if (surface.filter(s -> s.ruic() == ruic).isPresent() && built.equals(Optional.of(ruic.layout()))) {
+    } else if (surface.filter(s -> s.ruic() == ruic).isPresent()) {
+      surface.get().arranged();
       surface.get().showInstances(now);
     } else {
       build(ruic);
@@ -122,8 +125,7 @@ public final class RobotArea extends Composite {
 
   private void build(Ruic ruic) {
     clear();
-    built = Optional.of(ruic.layout());
-    RuicSurface next = new RuicSurface(this, theme, ruic, shares.computeIfAbsent(ruic.name(), n -> new HashMap<>()));
+    RuicSurface next = new RuicSurface(this, theme, ruic, histories.apply(ruic), actions::addView);
     next.setLayoutData(new GridData(SWT.FILL, SWT.FILL, true, true));
     surface = Optional.of(next);
     layout(true);
@@ -147,7 +149,6 @@ public final class RobotArea extends Composite {
     surface = Optional.empty();
     message = Optional.empty();
     former.forEach(Control::dispose);
-    built = Optional.empty();
     said = "";
   }
 }

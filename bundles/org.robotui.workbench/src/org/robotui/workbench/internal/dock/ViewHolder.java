@@ -1,4 +1,4 @@
-package org.robotui.workbench.internal.pane;
+package org.robotui.workbench.internal.dock;
 
 import java.util.List;
 import java.util.Optional;
@@ -21,6 +21,7 @@ import org.robotui.ui.Theme;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.ViewAction;
 import org.robotui.ui.ViewKey;
+import org.robotui.workbench.internal.pane.MessagePane;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -39,23 +40,28 @@ final class ViewHolder extends Composite implements UiContext {
   private final Theme theme;
   private final Ruic ruic;
   private final String id;
-  private final Title title;
+  private Title title = holder -> {};
   private Optional<SwtUic> shown = Optional.empty();
   private String said = "";
   private String note = "";
 
-  ViewHolder(Composite parent, Theme theme, Ruic ruic, String id, Title title) {
+  ViewHolder(Composite parent, Theme theme, Ruic ruic, String id) {
     super(parent, SWT.NONE);
     this.theme = theme;
     this.ruic = ruic;
     this.id = id;
-    this.title = title;
     setBackground(theme.color(Role.PANEL));
     setLayout(new FillLayout());
   }
 
   String id() {
     return id;
+  }
+
+  /** Puts it elsewhere: what it shows goes on. */
+  void into(Composite parent, Title line) {
+    title = line;
+    setParent(parent);
   }
 
   String noteText() {

@@ -1,8 +1,8 @@
-package org.robotui.workbench.internal.pane;
+package org.robotui.workbench.internal.dock;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.IntConsumer;
+import java.util.Optional;
 import java.util.stream.IntStream;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.accessibility.ACC;
@@ -29,35 +29,69 @@ import org.robotui.ui.control.QuietButton;
  * titles and actions, is in a menu; the title of the view that is seen always stands there. Display thread only.
  */
 final class TitleLine extends Composite {
+  /** Is told what the user does with titles. */
+  interface Gestures {
+    /** A view is to be seen. */
+    void choose(int index);
+
+    /** The menu of a view is wanted, at a point of the display. */
+    void menu(int index, Point at);
+
+    /** The view that is seen is to have the whole window, or its place again. */
+    void maximize();
+
+    /** A view is to be closed. */
+    void close(int index);
+
+    /** A view is dragged over a point of the display. */
+    void drag(int index, Point at);
+
+    /** What is dragged is let go at a point of the display. */
+    void drop(Point at);
+  }
+
   static final int HEIGHT = 30;
 
   private static final int BUTTON = 26;
   private static final int GAP = 4 * Theme.STEP;
+  /** A hand that presses is never quite still. */
+  private static final int DRAG_PIXELS = 6;
 
   private final Theme theme;
   private final List<String> titles;
-  private final IntConsumer chosen;
+  private final Gestures gestures;
   private final List<ActionButton> buttons = new ArrayList<>();
   private final QuietButton more;
+  private final QuietButton restore;
   private TitleRow row = new TitleRow(List.of(), 0);
   private ActionRow actionRow = new ActionRow(List.of(), List.of());
   private int shown;
   private String note = "";
   private boolean focused;
+  private Optional<Press> pressed = Optional.empty();
+
+  /** Where a title was pressed, and whether it is dragged since. */
+  private record Press(int index, int x, int y, boolean drags) {}
 
   /** An action and its button. */
   private record ActionButton(ViewAction action, QuietButton button) {}
 
-  TitleLine(Composite parent, Theme theme, List<String> titles, IntConsumer chosen) {
+  TitleLine(Composite parent, Theme theme, List<String> titles, Gestures gestures) {
     super(parent, SWT.DOUBLE_BUFFERED);
     this.theme = theme;
     this.titles = titles;
-    this.chosen = chosen;
+    this.gestures = gestures;
     setBackground(theme.color(Role.TITLE));
     more = new QuietButton(this, theme, this::openMore).icon(Icon.MORE).hint("More");
     more.setVisible(false);
+    restore = new QuietButton(this, theme, gestures::maximize).icon(Icon.RESTORE).hint("Restore (double-click)");
+    restore.setVisible(false);
     addPaintListener(e -> paint(e.gc));
     addListener(SWT.MouseDown, this::press);
+    addListener(SWT.MouseMove, this::drag);
+    addListener(SWT.MouseUp, this::release);
+    addListener(SWT.MouseDoubleClick, e -> gestures.maximize());
+    addListener(SWT.MenuDetect, e -> gestures.menu(indexAt(toControl(e.x, e.y).x), new Point(e.x, e.y)));
     addListener(SWT.KeyDown, this::key);
     addListener(SWT.Resize, e -> place());
     addListener(SWT.Traverse, e -> e.doit = e.detail == SWT.TRAVERSE_TAB_NEXT || e.detail == SWT.TRAVERSE_TAB_PREVIOUS);
@@ -66,6 +100,13 @@ final class TitleLine extends Composite {
 
   void show(int index) {
     shown = index;
+    place();
+    redraw();
+  }
+
+  /** Whether the view that is seen has the whole window. */
+  void maximized(boolean now) {
+    restore.setVisible(now);
     place();
     redraw();
   }
@@ -127,6 +168,10 @@ final class TitleLine extends Composite {
 
   private void place() {
     int right = getSize().x - Theme.STEP;
+    if (restore.getVisible()) {
+      right -= BUTTON;
+      restore.setBounds(right, (HEIGHT - BUTTON) / 2, BUTTON, BUTTON);
+    }
     int[] sizes = buttons.stream().mapToInt(b -> b.button().computeSize(SWT.DEFAULT, BUTTON).x).toArray();
     int[] widths = widths();
     int title = Theme.EDGE + widths[shown] + (titles.size() > 1 ? moreWidth() : 0);
@@ -179,7 +224,8 @@ final class TitleLine extends Composite {
   }
 
   private int actionsLeft() {
-    return actionRow.seen().isEmpty() ? getSize().x - Theme.EDGE + 2 * Theme.STEP
+    return actionRow.seen().isEmpty()
+        ? getSize().x - Theme.EDGE + 2 * Theme.STEP - (restore.getVisible() ? BUTTON : 0)
         : buttons.get(actionRow.seen().getFirst()).button().getLocation().x;
   }
 
@@ -215,21 +261,51 @@ final class TitleLine extends Composite {
 
   private void press(Event event) {
     if (event.button == 1) {
+      pressed = Optional.of(new Press(indexAt(event.x), event.x, event.y, false));
       row.at(event.x).ifPresent(this::choose);
+    } else if (event.button == 2) {
+      row.at(event.x).ifPresent(gestures::close);
     }
+  }
+
+  /** The title at a place, else that of the view that is seen: the whole line is its handle. */
+  private int indexAt(int x) {
+    return row.at(x).orElse(shown);
+  }
+
+  private void drag(Event event) {
+    pressed = pressed.filter(p -> (event.stateMask & SWT.BUTTON1) != 0).map(p -> new Press(p.index(), p.x(), p.y(),
+        p.drags() || Math.hypot(event.x - p.x(), event.y - p.y()) > DRAG_PIXELS));
+    pressed.filter(Press::drags).ifPresent(p -> gestures.drag(p.index(), toDisplay(event.x, event.y)));
+  }
+
+  private void release(Event event) {
+    Optional<Press> dragged = pressed.filter(Press::drags);
+    pressed = Optional.empty();
+    dragged.ifPresent(p -> gestures.drop(toDisplay(event.x, event.y)));
+  }
+
+  String titleOf(int index) {
+    return titles.get(index);
+  }
+
+  /** Before which title something that is dropped at a place comes. */
+  int indexBefore(int x) {
+    return row.places().stream().filter(place -> x < (place.left() + place.right()) / 2).findFirst()
+        .map(TitleRow.Place::index).orElse(titles.size());
   }
 
   /** Keys go where the user looks; who walks by key stays in the line. */
   private void choose(int index) {
-    chosen.accept(index);
+    gestures.choose(index);
     getParent().setFocus();
   }
 
   private void key(Event event) {
     if (event.keyCode == SWT.ARROW_RIGHT && shown + 1 < titles.size()) {
-      chosen.accept(shown + 1);
+      gestures.choose(shown + 1);
     } else if (event.keyCode == SWT.ARROW_LEFT && shown > 0) {
-      chosen.accept(shown - 1);
+      gestures.choose(shown - 1);
     }
   }
 

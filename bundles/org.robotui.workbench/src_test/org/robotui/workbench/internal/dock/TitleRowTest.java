@@ -1,4 +1,4 @@
-package org.robotui.workbench.internal.pane;
+package org.robotui.workbench.internal.dock;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 

@@ -1,13 +1,11 @@
-package org.robotui.workbench.internal.pane;
+package org.robotui.workbench.internal.dock;
 
-import java.util.ArrayList;
 import java.util.Comparator;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
+import java.util.function.Predicate;
+import java.util.stream.Stream;
 import org.eclipse.swt.SWT;
-import org.eclipse.swt.custom.SashForm;
 import org.eclipse.swt.layout.FillLayout;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Listener;
@@ -15,21 +13,18 @@ import org.robotui.api.host.ComponentStatus;
 import org.robotui.api.host.Ruic;
 import org.robotui.api.host.RuicSnapshot;
 import org.robotui.api.host.RuicState;
-import org.robotui.api.layout.Layout;
 import org.robotui.api.show.Subject;
 import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 
-/** The views of one RUIC, laid out as its abstract layout says. Display thread only. */
+/**
+ * The views of one RUIC as they are arranged: in this part of its main window, and in windows of their own, which come
+ * and go with it. Display thread only.
+ */
 public final class RuicSurface extends Composite {
-  private static final int SASH = 3;
-  private static final double UNITS = 1000;
-
-  private final Theme theme;
   private final Ruic ruic;
-  private final Map<String, int[]> shares;
-  private final Map<String, SashForm> sashes = new HashMap<>();
-  private final List<ViewStack> stacks = new ArrayList<>();
+  private final Docking docking;
+  private final DockWindows windows;
   private Optional<ViewStack> last = Optional.empty();
 
   /**
@@ -38,17 +33,17 @@ public final class RuicSurface extends Composite {
    * @param parent the parent
    * @param theme colours and fonts
    * @param ruic whose views
-   * @param shares how the user divided the splits before, by their place in the layout; kept up to date
+   * @param history how its views were arranged before; outlives the surface
+   * @param addView has the user choose a view to add
    */
-  public RuicSurface(Composite parent, Theme theme, Ruic ruic, Map<String, int[]> shares) {
+  public RuicSurface(Composite parent, Theme theme, Ruic ruic, ArrangeHistory history, Runnable addView) {
     super(parent, SWT.NONE);
-    this.theme = theme;
     this.ruic = ruic;
-    this.shares = shares;
     setBackground(theme.color(Role.PANEL));
     setLayout(new FillLayout());
-    build(this, ruic.layout(), "0");
-    addListener(SWT.Dispose, e -> keepShares());
+    docking = new Docking(ruic.arranging(), history, this::arranged);
+    windows = new DockWindows(this, theme, ruic, docking, addView);
+    windows.show(docking.now());
     markFocus();
   }
 
@@ -57,17 +52,32 @@ public final class RuicSurface extends Composite {
     return ruic;
   }
 
-  /** Shows the instances that run now; called when the RUIC changed. */
-  public void showInstances(RuicSnapshot now) {
-    stacks.forEach(s -> s.showInstances(now));
+  /** What the user does to the arrangement. */
+  public Docking docking() {
+    return docking;
   }
 
-  /** All its views, in the order of the layout. */
+  /** Lays the views out as they are arranged now; those that go on stay as they are. */
+  public void arranged() {
+    if (!isDisposed()) {
+      Optional<String> focused = focused().map(ViewEntry::id);
+      if (windows.show(docking.now())) {
+        focused.ifPresent(windows::focus);
+      }
+    }
+  }
+
+  /** Shows the instances that run now; called when the RUIC changed. */
+  public void showInstances(RuicSnapshot now) {
+    stacks().forEach(s -> s.showInstances(now));
+  }
+
+  /** All its open views, in the order of the arrangement. */
   public List<ViewEntry> views() {
     List<ComponentStatus> components = ruic.snapshot().components();
     List<String> failed =
         components.stream().filter(c -> c.state() == RuicState.FAILED).map(ComponentStatus::id).toList();
-    return stacks.stream().flatMap(s -> s.holders()
+    return stacks().flatMap(s -> s.holders()
         .map(h -> new ViewEntry(h.id(), type(components, h.id()), ruic.title(h.id()), failed.contains(h.id()),
             s.isSeen(h), h.actions(), h.keys())))
         .toList();
@@ -80,12 +90,12 @@ public final class RuicSurface extends Composite {
 
   /** Brings a view to the front of its tabs and gives it the keys. */
   public void reveal(String uic) {
-    stacks.forEach(s -> s.reveal(uic));
+    windows.reveal(uic);
   }
 
   /** The view that has the keys. */
   public Optional<ViewEntry> focused() {
-    return seenIn(stacks.stream().filter(ViewStack::holdsFocus).findFirst());
+    return seenIn(stacks().filter(ViewStack::holdsFocus).findFirst());
   }
 
   /** The view that had the keys last: a menu in which something is chosen for it has taken them. */
@@ -98,20 +108,26 @@ public final class RuicSurface extends Composite {
     return views().stream().filter(v -> id.filter(v.id()::equals).isPresent()).findFirst();
   }
 
+  /** Has the view that has, or had, the keys take the whole of its window, or its place again. */
+  public void maximize() {
+    stacks().filter(ViewStack::holdsFocus).findFirst().or(() -> last.filter(stack -> !stack.isDisposed()))
+        .ifPresent(windows::maximize);
+  }
+
   /** Has a view show what its last ticks prepared. */
   public void refresh(String uic) {
-    stacks.forEach(s -> s.refresh(uic));
+    stacks().forEach(s -> s.refresh(uic));
   }
 
   /** Brings a view to the front and has it show something that the user pointed at. */
   public void view(String uic, String showing, Subject subject) {
-    stacks.forEach(s -> s.view(uic, showing, subject));
+    stacks().forEach(s -> s.view(uic, showing, subject));
   }
 
   /** Takes the view out whose code took part in a failure on the display thread; false where no view did. */
   public boolean blame(Throwable failure) {
     // One view's control may be laid out or painted from within another's code: the nearest one failed.
-    Optional<ViewHolder> guilty = stacks.stream().flatMap(ViewStack::holders).filter(h -> h.guilt(failure).isPresent())
+    Optional<ViewHolder> guilty = stacks().flatMap(ViewStack::holders).filter(h -> h.guilt(failure).isPresent())
         .min(Comparator.comparingInt(h -> h.guilt(failure).getAsInt()));
     // Later: this may be called from within the paint that failed, which goes on after it.
     guilty.ifPresent(holder -> getDisplay().asyncExec(() -> {
@@ -124,12 +140,16 @@ public final class RuicSurface extends Composite {
 
   @Override
   public boolean setFocus() {
-    return stacks.stream().filter(s -> !s.isDisposed()).findFirst().map(ViewStack::setFocus).orElseGet(super::setFocus);
+    return stacks().filter(s -> !s.isDisposed()).findFirst().map(ViewStack::setFocus).orElseGet(super::setFocus);
+  }
+
+  private Stream<ViewStack> stacks() {
+    return windows.stacks();
   }
 
   /** The line above the view that has the keys says so. */
   private void markFocus() {
-    Listener mark = e -> stacks.stream().filter(s -> !s.isDisposed()).forEach(stack -> {
+    Listener mark = e -> stacks().filter(Predicate.not(ViewStack::isDisposed)).forEach(stack -> {
       stack.markFocus();
       last = stack.holdsFocus() ? Optional.of(stack) : last;
     });
@@ -140,44 +160,5 @@ public final class RuicSurface extends Composite {
       getDisplay().removeFilter(SWT.FocusIn, mark);
       getDisplay().removeFilter(SWT.FocusOut, later);
     });
-  }
-
-  private void build(Composite parent, Layout layout, String place) {
-    switch (layout) {
-      case Layout.View view -> stacks.add(new ViewStack(parent, theme, ruic, List.of(view.uic())));
-      case Layout.Tabs tabs -> stacks.add(new ViewStack(parent, theme, ruic, tabs.uics()));
-      case Layout.Split split -> split(parent, split, place);
-    }
-  }
-
-  private void split(Composite parent, Layout.Split split, String place) {
-    SashForm form = new Splitter(parent, split.direction());
-    form.setBackground(theme.mix(Role.LINE, Role.GROUND, 0.6));
-    form.setSashWidth(SASH);
-    for (int i = 0; i < split.parts().size(); i++) {
-      build(form, split.parts().get(i), place + "." + i);
-    }
-    form.setWeights(weights(split, place));
-    sashes.put(place, form);
-  }
-
-  /** Not a plain sash form, which style sheets would colour. */
-  private static final class Splitter extends SashForm {
-    Splitter(Composite parent, Layout.Direction direction) {
-      super(parent, (direction == Layout.Direction.ROW ? SWT.HORIZONTAL : SWT.VERTICAL) | SWT.SMOOTH);
-    }
-  }
-
-  private int[] weights(Layout.Split split, String place) {
-    int[] kept = shares.get(place);
-    if (kept != null && kept.length == split.parts().size()) {
-      return kept;
-    }
-    double all = split.weights().stream().mapToDouble(w -> w).sum();
-    return split.weights().stream().mapToInt(w -> (int) Math.max(1, Math.round(UNITS * w / all))).toArray();
-  }
-
-  private void keepShares() {
-    sashes.forEach((place, form) -> shares.put(place, form.getWeights()));
   }
 }

@@ -1,10 +1,10 @@
-package org.robotui.workbench.internal.pane;
+package org.robotui.workbench.internal.dock;
 
 import java.util.List;
-import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.custom.StackLayout;
+import org.eclipse.swt.graphics.Point;
 import org.eclipse.swt.layout.GridData;
 import org.eclipse.swt.layout.GridLayout;
 import org.eclipse.swt.widgets.Composite;
@@ -20,13 +20,34 @@ import org.robotui.ui.Theme;
  * Display thread only.
  */
 final class ViewStack extends Composite {
+  /** Is told what the user does with the titles. */
+  interface Gestures {
+    /** Another view is in front. */
+    void fronted(String view);
+
+    /** The menu of a view is wanted. */
+    void menu(ViewStack stack, String view, Point at);
+
+    /** A view is to have the whole window, or its place again. */
+    void maximize(ViewStack stack);
+
+    /** A view is to be closed. */
+    void close(String view);
+
+    /** A view is dragged. */
+    void drag(String view, Point at);
+
+    /** It is let go. */
+    void drop(Point at);
+  }
+
   private final TitleLine line;
   private final Composite body;
   private final StackLayout stack = new StackLayout();
   private final List<ViewHolder> holders;
   private final Ruic ruic;
 
-  ViewStack(Composite parent, Theme theme, Ruic ruic, List<String> ids) {
+  ViewStack(Composite parent, Theme theme, Ruic ruic, List<String> ids, int front, Holders all, Gestures gestures) {
     super(parent, SWT.NONE);
     this.ruic = ruic;
     setBackground(theme.color(Role.PANEL));
@@ -35,14 +56,20 @@ final class ViewStack extends Composite {
     layout.marginHeight = 0;
     layout.verticalSpacing = 0;
     setLayout(layout);
-    line = new TitleLine(this, theme, ids.stream().map(ruic::title).toList(), this::choose);
+    line = new TitleLine(this, theme, ids.stream().map(ruic::title).toList(), new Titles(ids, gestures));
     line.setLayoutData(new GridData(SWT.FILL, SWT.TOP, true, false));
     body = new Body(this);
     body.setBackground(getBackground());
     body.setLayoutData(new GridData(SWT.FILL, SWT.FILL, true, true));
     body.setLayout(stack);
-    holders = ids.stream().map(id -> new ViewHolder(body, theme, ruic, id, this::titleChanged)).toList();
-    choose(0);
+    holders = ids.stream().map(id -> all.into(id, body, this::titleChanged)).toList();
+    choose(front);
+  }
+
+  /** Keeps the places of views while stacks come and go. */
+  interface Holders {
+    /** The place of a view, put into a stack. */
+    ViewHolder into(String id, Composite body, ViewHolder.Title title);
   }
 
   /** Holds the views; not a plain composite, which style sheets would colour. */
@@ -52,8 +79,54 @@ final class ViewStack extends Composite {
     }
   }
 
+  /** What is done with a title is done with its view. */
+  private final class Titles implements TitleLine.Gestures {
+    private final List<String> ids;
+    private final Gestures gestures;
+
+    Titles(List<String> ids, Gestures gestures) {
+      this.ids = ids;
+      this.gestures = gestures;
+    }
+
+    @Override
+    public void choose(int index) {
+      ViewStack.this.choose(index);
+      gestures.fronted(ids.get(index));
+    }
+
+    @Override
+    public void menu(int index, Point at) {
+      gestures.menu(ViewStack.this, ids.get(index), at);
+    }
+
+    @Override
+    public void maximize() {
+      gestures.maximize(ViewStack.this);
+    }
+
+    @Override
+    public void close(int index) {
+      gestures.close(ids.get(index));
+    }
+
+    @Override
+    public void drag(int index, Point at) {
+      gestures.drag(ids.get(index), at);
+    }
+
+    @Override
+    public void drop(Point at) {
+      gestures.drop(at);
+    }
+  }
+
   Stream<ViewHolder> holders() {
     return holders.stream();
+  }
+
+  List<String> ids() {
+    return holders.stream().map(ViewHolder::id).toList();
   }
 
   TitleLine line() {
@@ -62,11 +135,18 @@ final class ViewStack extends Composite {
 
   void choose(int index) {
     ViewHolder holder = holders.get(index);
+    boolean other = stack.topControl != holder;
     stack.topControl = holder;
     line.show(index);
-    holder.showInstance(ruic.snapshot());
+    if (other) {
+      holder.showInstance(ruic.snapshot());
+    }
     titleChanged(holder);
     body.layout(true);
+  }
+
+  void maximized(boolean now) {
+    line.maximized(now);
   }
 
   /** Shows the instance that runs now; views not yet seen wait. */
@@ -82,11 +162,9 @@ final class ViewStack extends Composite {
 
   /** Brings a view to the front, where it is among these, and has it show something. */
   void view(String id, String showing, Subject subject) {
-    IntStream.range(0, holders.size()).filter(i -> holders.get(i).id().equals(id)).findFirst().ifPresent(index -> {
-      choose(index);
-      setFocus();
-      holders.get(index).view(showing, subject);
-    });
+    if (reveal(id)) {
+      seen().view(showing, subject);
+    }
   }
 
   @Override
@@ -103,13 +181,13 @@ final class ViewStack extends Composite {
   }
 
   /** Shows a view, if it is one of these, and gives it the keys. */
-  void reveal(String id) {
-    for (int i = 0; i < holders.size(); i++) {
-      if (holders.get(i).id().equals(id)) {
-        choose(i);
-        setFocus();
-      }
+  boolean reveal(String id) {
+    int index = ids().indexOf(id);
+    if (index >= 0) {
+      choose(index);
+      setFocus();
     }
+    return index >= 0;
   }
 
   /** Whether what is typed goes to the view that is seen. */
