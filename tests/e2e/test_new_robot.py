@@ -55,7 +55,7 @@ def test_what_is_wrong_is_said_and_nothing_is_written(environment, keira, tmp_pa
     file = tmp_path / "wrong.yaml"
     cases = [
         (["--rfic", "player", "--set", f"port={free_port()}", "--set", "host=127.0.0.1", "--wait", "3", "--name", "Keira"], "Connection refused"),
-        (["--rfic", "plaier", "--name", "Keira"], "there is no robot interface 'plaier'; there are foxglove, lcm, player, ros, ros2, rosbridge, xbot"),
+        (["--rfic", "plaier", "--name", "Keira"], "there is no robot interface 'plaier'; there are foxglove, gazebo, lcm, player, ros, ros2, rosbridge, xbot"),
         ([*player(keira), "--name", "a/b"], "none of / $ { }"),
         ([*player(keira), "--set", "prt=1", "--name", "Keira"], "prt"),
         ([*player(keira), "--name", "Keira", "--views", "map,camra"], "there is no view 'camra'"),
@@ -90,7 +90,7 @@ class Form:
         return next(iter(found.stdout.split()), None)
 
     def framework(self, steps):
-        """Chooses in the menu of frameworks, which stand in the order of their identifiers: foxglove, lcm, player, ros."""
+        """Chooses in the menu of frameworks, which stand in the order of their identifiers: foxglove, gazebo, lcm, player, ros."""
         output("xdotool", "windowactivate", "--sync", self.window, "key", "Down", "sleep", "0.7")
         for _ in range(steps):
             Keys.press("Down")
@@ -145,7 +145,7 @@ def test_a_robot_that_is_not_reached_cannot_be_gone_on_with(processes, environme
     (tmp_path / "empty.yaml").write_text("ruics: {}\n")
     robot = Robot(processes, f"http://127.0.0.1:{free_port()}", environment)
     form = Form(Window.open(robot, tmp_path / "empty.yaml"))
-    form.framework(3)
+    form.framework(4)
     form.connect()
     output("xdotool", "sleep", "4")
     assert not form.may_go_on()

@@ -9,8 +9,8 @@ import org.robotui.data.DataType;
 import org.robotui.data.record.DynamicRecord;
 
 /**
- * All conversions by type: types of ROS, and the schemas of Foxglove, which are also a package of ROS. A type that has
- * none becomes a dynamic record.
+ * All conversions by type: types of ROS, the schemas of Foxglove, which are also a package of ROS, and messages of
+ * Gazebo. A type that has none becomes a dynamic record.
  */
 public final class Adapters {
   private static final int MOST_EVENTS = 500;
@@ -25,6 +25,8 @@ public final class Adapters {
         MarkerAdapters.all(), PlanAdapters.all())
         .forEach(group -> group.forEach(a -> all.put(a.type(), a)));
     FoxgloveAdapters.all().forEach(a -> List.of(FoxgloveAdapters.NAMES, FoxgloveAdapters.ROS_PACKAGE)
+        .forEach(prefix -> all.put(prefix + a.type(), a.named(prefix + a.type()))));
+    GazeboAdapters.all().forEach(a -> GazeboAdapters.PACKAGES
         .forEach(prefix -> all.put(prefix + a.type(), a.named(prefix + a.type()))));
     this.byType = Map.copyOf(all);
   }

@@ -36,6 +36,17 @@ record NamedFields(DynamicRecord record) {
         .orElse("");
   }
 
+  List<String> texts(String name) {
+    return record.field(name).filter(FieldValue.Items.class::isInstance).map(v -> ((FieldValue.Items) v).values())
+        .orElse(List.of()).stream().filter(FieldValue.Text.class::isInstance).map(v -> ((FieldValue.Text) v).value())
+        .toList();
+  }
+
+  boolean flag(String name) {
+    return record.field(name).filter(FieldValue.Flag.class::isInstance).map(v -> ((FieldValue.Flag) v).value())
+        .orElse(false);
+  }
+
   /** Which of some words a field says, by the word or by its number; the first one where it says none of them. */
   int choice(String name, List<String> words) {
     int named = words.indexOf(text(name));

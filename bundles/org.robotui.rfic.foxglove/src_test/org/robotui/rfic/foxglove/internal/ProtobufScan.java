@@ -14,8 +14,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.DoubleStream;
-import org.robotui.rfic.foxglove.internal.protobuf.DescriptorSet;
-import org.robotui.rfic.foxglove.internal.protobuf.ProtobufMessages;
+import org.robotui.message.payload.protobuf.DescriptorSet;
+import org.robotui.message.payload.protobuf.ProtobufMessages;
 
 /** A scan of Protocol Buffers, with the numbers of fields that the published schema has. */
 final class ProtobufScan {

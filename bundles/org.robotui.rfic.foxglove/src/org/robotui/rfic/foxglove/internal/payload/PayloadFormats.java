@@ -10,7 +10,8 @@ import org.robotui.message.payload.PayloadFormat;
 import org.robotui.message.payload.RosDefinitions;
 import org.robotui.message.payload.RosFormat;
 import org.robotui.message.payload.UnknownFormat;
-import org.robotui.rfic.foxglove.internal.protobuf.DescriptorSet;
+import org.robotui.message.payload.protobuf.DescriptorSet;
+import org.robotui.message.payload.protobuf.ProtobufFormat;
 
 /**
  * Finds out how messages are read, by what a server says of them. Where it sends no definition of a type of ROS, the

@@ -1,0 +1,2 @@
+/** Messages of Protocol Buffers by the descriptors that come with them. */
+package org.robotui.message.payload.protobuf;

@@ -1,2 +1,0 @@
-/** Messages of Protocol Buffers by the descriptors that come with them. */
-package org.robotui.rfic.foxglove.internal.protobuf;

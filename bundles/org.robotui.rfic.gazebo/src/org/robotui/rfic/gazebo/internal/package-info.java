@@ -1,0 +1,2 @@
+/** The type of robot interfaces to Gazebo, and its settings. */
+package org.robotui.rfic.gazebo.internal;

@@ -1,0 +1,2 @@
+/** What stands in a world: its frames and its looks. */
+package org.robotui.rfic.gazebo.internal.scene;
