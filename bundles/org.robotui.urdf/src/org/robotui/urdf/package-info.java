@@ -3,5 +3,5 @@
  * texts may come from anybody: their size, depth and counts are bounded, and no document can make the reader open
  * another one.
  */
-@org.osgi.annotation.versioning.Version("1.0.0")
+@org.osgi.annotation.versioning.Version("1.1.0")
 package org.robotui.urdf;

@@ -3,5 +3,5 @@
  * is closed ({@link org.robotui.net.thread.Workers}), also by a thread that was interrupted
  * ({@link org.robotui.net.thread.Uninterruptibles}). Deadlines are times of {@link System#nanoTime}.
  */
-@org.osgi.annotation.versioning.Version("1.0.0")
+@org.osgi.annotation.versioning.Version("1.1.0")
 package org.robotui.net.thread;

@@ -1,3 +1,3 @@
 /** Layers of maps in a test's hands. */
-@org.osgi.annotation.versioning.Version("1.0.0")
+@org.osgi.annotation.versioning.Version("1.1.0")
 package org.robotui.testkit.values.layer;
