@@ -93,7 +93,7 @@ def test_a_view_is_dragged_and_lies_there_after_a_crash(nowhere, tmp_path):
     arranged.start()
     assert arranged.layout() == below
     # Where it lies it can be dragged away.
-    arranged.drag((NAVIGATOR + 40, middle(arranged)[1] - 10), (width - 80, TOP_BAR + 300))
+    arranged.drag((NAVIGATOR + 90, middle(arranged)[1] - 10), (width - 80, TOP_BAR + 300))
     wait_for(lambda: arranged.layout() == {"row": [{"weight": 0.5, "tabs": ["map", "plot"]}, {"weight": 0.5, "view": "status"}]},
              what="the view at the right again")
     output("xdotool", "key", "ctrl+alt+z")
