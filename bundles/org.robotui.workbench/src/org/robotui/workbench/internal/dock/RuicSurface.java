@@ -121,6 +121,7 @@ public final class RuicSurface extends Composite {
 
   /** Brings a view to the front and has it show something that the user pointed at. */
   public void view(String uic, String showing, Subject subject) {
+    reveal(uic);
     stacks().forEach(s -> s.view(uic, showing, subject));
   }
 
