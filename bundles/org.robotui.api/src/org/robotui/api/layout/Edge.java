@@ -22,7 +22,7 @@ public enum Edge {
   }
 
   /**
-   * How two parts lie of which one is at this side of the other.
+   * The direction of a split whose one part lies at this side of the other.
    *
    * @return row or column
    */

@@ -13,7 +13,7 @@ import org.robotui.api.layout.Layout.View;
 
 /** Changes of layouts. Pure functions: what they are given stays as it was. */
 public final class LayoutChange {
-  /** The share of the window of what is dropped at its side. */
+  /** How much of a window a view takes that is dropped at its side. */
   private static final double BORDER_SHARE = 0.3;
 
   private LayoutChange() {}
