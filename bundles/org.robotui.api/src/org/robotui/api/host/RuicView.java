@@ -67,13 +67,14 @@ public interface RuicView {
    * look at every port.
    *
    * @param subject a port, a frame or a node of this RUIC
-   * @return an entry for each view that could show it, and for each type of which there is no view here, with the
-   * reason; those that can be done first, then by label
+   * @return an entry for each view that could show it, and one for each type of which no view is open, which opens one;
+   * those that can be done first, then by label
    */
   List<ShowChoice> showChoices(Subject subject);
 
   /**
-   * Has a view show something, and the application bring that view to the front. Does nothing where the view has gone.
+   * Has a view show something, and the application bring that view to the front. One that is not open is opened before.
+   * Does nothing where the view has gone.
    *
    * @param choice one of {@link #showChoices} that can be done
    * @param subject what to show

@@ -164,6 +164,16 @@ public record Arrangement(Layout layout, List<OwnWindow> windows, List<Added> ad
   }
 
   /**
+   * Whether all views lie as in another arrangement, whichever tabs are in front.
+   *
+   * @param other the other arrangement
+   * @return false also where a window lies elsewhere
+   */
+  public boolean liesAs(Arrangement other) {
+    return each(LayoutChange::unfronted).equals(other.each(LayoutChange::unfronted));
+  }
+
+  /**
    * Gives the parts of a split other shares.
    *
    * @param window 0 for the main window, from 1 for the others

@@ -83,6 +83,21 @@ public final class LayoutChange {
   }
 
   /**
+   * A layout in which the first of all tabs is in front: to compare layouts by where views lie alone.
+   *
+   * @param layout the layout
+   * @return the layout
+   */
+  public static Layout unfronted(Layout layout) {
+    return switch (layout) {
+      case View view -> view;
+      case Tabs tabs -> new Tabs(tabs.uics());
+      case Split split -> new Split(split.direction(), split.parts().stream().map(LayoutChange::unfronted).toList(),
+          split.weights());
+    };
+  }
+
+  /**
    * A layout with other shares in one of its splits.
    *
    * @param layout the layout

@@ -1,6 +1,7 @@
 package org.robotui.api.layout;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -94,6 +95,13 @@ class ArrangementTest {
     assertEquals(new Tabs(List.of("map", "scene"), 1), front.without("camera").layout());
     assertEquals(new Tabs(List.of("map"), 0), front.without("camera").without("scene").layout());
     assertThrows(IllegalArgumentException.class, () -> new Tabs(List.of("map"), 1));
+  }
+
+  @Test
+  void aTabThatIsInFrontIsNoOtherPlace() {
+    assertTrue(START.liesAs(START.fronted("scene")));
+    assertFalse(START.liesAs(START.without("scene")));
+    assertFalse(START.liesAs(START.weighted(0, List.of(), List.of(1.0, 1.0))));
   }
 
   @Test

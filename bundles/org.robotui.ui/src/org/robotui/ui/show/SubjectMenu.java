@@ -89,8 +89,11 @@ public final class SubjectMenu {
     }
   }
 
-  /** Where several views would do the same, their titles tell them apart. */
+  /** Where several views would do the same, their titles tell them apart. What opens a view says so. */
   private static String label(ShowChoice choice, List<ShowChoice> all) {
+    if (choice.opens().isPresent()) {
+      return choice.showing().label() + " (opens " + choice.title() + ")";
+    }
     boolean several = all.stream().filter(c -> c.showing().equals(choice.showing())).count() > 1;
     return several ? choice.showing().label() + " (" + choice.title() + ")" : choice.showing().label();
   }

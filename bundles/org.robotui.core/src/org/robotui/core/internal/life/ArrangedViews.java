@@ -14,6 +14,7 @@ import org.robotui.api.UicType.Surface;
 import org.robotui.api.host.Arranging;
 import org.robotui.api.host.ViewFit;
 import org.robotui.api.layout.Arrangement;
+import org.robotui.api.layout.Arrangement.Added;
 import org.robotui.core.internal.config.model.ComponentConfig;
 import org.robotui.core.internal.config.model.KeptViews;
 import org.robotui.core.internal.config.model.KeptViews.Hand;
@@ -102,6 +103,21 @@ final class ArrangedViews implements Arranging {
       now = next;
       keep(Optional.of(new Hand(next, plan.ids(next.added()), mark())));
       changed.run();
+    }
+  }
+
+  /** The id of a view of a type that is closed, else one for one more. */
+  String closed(String type) {
+    return views().stream().filter(view -> !view.open() && view.type().equals(type)).map(ViewChoice::id).findFirst()
+        .orElseGet(() -> freshId(type));
+  }
+
+  /** Opens a view that is closed, or one more of a type; one that is open stays where it is. */
+  void open(String id, String type) {
+    Arrangement before = now;
+    boolean known = plan.placeable(before, this::needsPlace).anyMatch(view -> view.id().equals(id));
+    if (!before.views().contains(id)) {
+      arrange((known ? before : before.adding(new Added(id, type))).opened(id, plan.written().layout()));
     }
   }
 

@@ -75,12 +75,12 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
     RuicParts parts =
         new RuicParts(this.config::get, this, services, worker.serial(), threads, clock, frames, alerts, overlay, this);
     this.components = new Components(parts);
-    this.showings = new Showings(services, components);
     this.robots = new RuicRobots(this.config::get, services, components);
     this.wiring = new Wiring(parts, components, this::tell);
     this.lateViews = new LateViews(services, components, worker::run, this::started);
     this.interfaces = new RuicInterfaces(parts, this.config, new AtomicReference<>(config), components, robots, wiring);
     this.arranged = new ArrangedViews(parts, wiring, this::rearranged);
+    this.showings = new Showings(services, components, arranged);
   }
 
   /** Creates all components; of a RUIC that starts when it is shown, then. */
@@ -303,7 +303,7 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
 
   @Override
   public void show(ShowChoice choice, Subject subject) {
-    showings.show(name(), choice, subject);
+    showings.show(name(), choice, subject, worker::run);
   }
 
   @Override

@@ -4,8 +4,10 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.Executor;
 import java.util.stream.Stream;
 import org.robotui.api.UicType;
+import org.robotui.api.UicType.Surface;
 import org.robotui.api.host.RuicState;
 import org.robotui.api.port.Envelope;
 import org.robotui.api.port.SourceId;
@@ -27,10 +29,12 @@ final class Showings {
 
   private final Services services;
   private final Components components;
+  private final ArrangedViews arranged;
 
-  Showings(Services services, Components components) {
+  Showings(Services services, Components components, ArrangedViews arranged) {
     this.services = services;
     this.components = components;
+    this.arranged = arranged;
   }
 
   /** What can be done with it, those that can be done first. */
@@ -41,11 +45,17 @@ final class Showings {
         .sorted(ORDER).toList();
   }
 
-  /** Has the application show it in a view that is there and runs. */
-  void show(String ruic, ShowChoice choice, Subject subject) {
-    if (choice.possible() && running().anyMatch(slot -> slot.id().equals(choice.view()))) {
-      services.events().viewWanted(ruic, choice.view(), choice.showing().id(), subject);
-    }
+  /**
+   * Opens the view where it is not open, and has the application show it there: on the worker, where that comes after
+   * the start of the view.
+   */
+  void show(String ruic, ShowChoice choice, Subject subject, Executor worker) {
+    choice.opens().ifPresent(type -> arranged.open(choice.view(), type));
+    worker.execute(() -> {
+      if (choice.possible() && running().anyMatch(slot -> slot.id().equals(choice.view()))) {
+        services.events().viewWanted(ruic, choice.view(), choice.showing().id(), subject);
+      }
+    });
   }
 
   /** The newest value of a stream. */
@@ -67,9 +77,16 @@ final class Showings {
     List<ShowChoice> views = new ArrayList<>();
     running().filter(slot -> slot.config().type().equals(type.id()))
         .forEach(slot -> views.add(new ShowChoice(slot.id(), slot.title(), showing, misfit.orElse(""))));
-    return views.isEmpty()
-        ? Stream.of(new ShowChoice("", type.label(), showing, misfit.orElse("no such view in this UI")))
-        : views.stream();
+    return views.isEmpty() ? Stream.of(opening(type, showing, misfit)) : views.stream();
+  }
+
+  /** No view of the type runs: one that is closed is opened, or one more. */
+  private ShowChoice opening(UicType type, Showing showing, Optional<String> misfit) {
+    boolean broken = components.shown().stream().anyMatch(slot -> slot.config().type().equals(type.id()));
+    Optional<String> obstacle = misfit.or(() -> type.surface() != Surface.WINDOW
+        ? Optional.of("no such view in this UI") : broken ? Optional.of("the view does not work") : Optional.empty());
+    return obstacle.map(why -> new ShowChoice("", type.label(), showing, why)).orElseGet(
+        () -> new ShowChoice(arranged.closed(type.id()), type.label(), showing, "", Optional.of(type.id())));
   }
 
   private Optional<String> misfit(Showing showing, Subject subject) {

@@ -83,8 +83,7 @@ class ShowingsTest {
         "bundle");
     Ruic ruic = start();
     assertEquals(
-        List.of("second Fake view ", "first Speeds ", " Fake view shows no JointState",
-            " Fake view no such view in this UI"),
+        List.of("table Fake view ", "second Fake view ", "first Speeds ", " Fake view shows no JointState"),
         texts(ruic.showChoices(SUBJECT)));
   }
 
@@ -94,7 +93,7 @@ class ShowingsTest {
     Ruic ruic = start();
     robot.context().offers().stream(new StreamPort<>("estimate", PoseEstimate.class, Arity.MANY, ""), on -> {});
     assertEquals(1, ruic.showChoices(Subject.Stream.of(new SourceId("base", "estimate"))).stream()
-        .filter(c -> c.obstacle().equals("no such view in this UI")).count());
+        .filter(c -> c.opens().equals(Optional.of("poses"))).count());
   }
 
   @Test
@@ -106,7 +105,7 @@ class ShowingsTest {
   @Test
   void framesAndNodesAreShownByOthers() {
     bench.registry.add(new FakeView("log").shows(Showing.nodes("node", "Log")), "bundle");
-    assertEquals(List.of(" Fake view no such view in this UI"), texts(start().showChoices(new Subject.Node("/amcl"))));
+    assertEquals(List.of("log Fake view "), texts(start().showChoices(new Subject.Node("/amcl"))));
   }
 
   @Test
@@ -126,6 +125,25 @@ class ShowingsTest {
       }
     }, "bundle");
     assertEquals(2, start().showChoices(SUBJECT).size());
+  }
+
+  @Test
+  void aViewThatIsNotOpenIsOpenedForIt() {
+    bench.registry.add(new FakeView("table").shows(Showing.streams("joints", "Joints", List.of(JointState.class))),
+        "bundle");
+    Ruic ruic = start();
+    ruic.show(ruic.showChoices(SUBJECT).getFirst(), SUBJECT);
+    Await.until("the application was told", () -> !wanted.isEmpty());
+    assertEquals(List.of(List.of("R", "table", "joints", SUBJECT)), wanted);
+    assertEquals(List.of("first", "second", "table"), ruic.arranging().now().views());
+
+    ruic.arranging().arrange(ruic.arranging().now().without("first").without("second"));
+    Await.until("both are closed", () -> ruic.snapshot().components().size() == 2);
+    ShowChoice again = ruic.showChoices(SUBJECT).stream().filter(c -> c.showing().id().equals("plot")).findFirst()
+        .orElseThrow();
+    assertEquals("first", again.view(), "one that is closed before one more");
+    ruic.show(again, SUBJECT);
+    Await.until("it was told again", () -> wanted.size() == 2);
   }
 
   @Test

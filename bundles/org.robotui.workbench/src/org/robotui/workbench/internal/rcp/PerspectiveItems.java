@@ -58,7 +58,7 @@ public final class PerspectiveItems extends CompoundContributionItem implements 
   /** One that was chosen and changed since says so: choosing it again has it as it was. */
   private static String label(String name, int number, Optional<String> chosen, Map<String, Perspective> all,
       Arranging arranging) {
-    boolean changed = chosen.filter(name::equals).isPresent() && !all.get(name).arrangement().equals(arranging.now());
+    boolean changed = chosen.filter(name::equals).isPresent() && !all.get(name).arrangement().liesAs(arranging.now());
     return name + (changed ? " (changed)" : "") + (number <= KEYS ? "\tCtrl+Alt+" + number : "");
   }
 
