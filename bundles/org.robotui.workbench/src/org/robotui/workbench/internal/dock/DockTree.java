@@ -47,6 +47,7 @@ final class DockTree extends Composite {
   private final Map<SashForm, Runnable> settling = new HashMap<>();
   private Layout shown = new Layout.Tabs(List.of());
   private Optional<ViewStack> maximized = Optional.empty();
+  private boolean locked;
 
   DockTree(Composite parent, Theme theme, Builder builder) {
     super(parent, SWT.NONE);
@@ -137,7 +138,10 @@ final class DockTree extends Composite {
     form.addListener(SWT.Resize, e -> getDisplay().asyncExec(() -> {
       if (!form.isDisposed()) {
         Stream.of(form.getChildren()).filter(Sash.class::isInstance).filter(followed::add)
-            .forEach(sash -> sash.addListener(SWT.Selection, s -> settle(form, place)));
+            .forEach(sash -> {
+              sash.setEnabled(!locked);
+              sash.addListener(SWT.Selection, s -> settle(form, place));
+            });
       }
     }));
   }
@@ -178,6 +182,13 @@ final class DockTree extends Composite {
   private static int[] weights(Layout.Split split) {
     double all = split.weights().stream().mapToDouble(w -> w).sum();
     return split.weights().stream().mapToInt(w -> (int) Math.max(1, Math.round(UNITS * w / all))).toArray();
+  }
+
+  /** Whether splits stay as they are divided. */
+  void lock(boolean now) {
+    locked = now;
+    forms.values().forEach(form -> Stream.of(form.getChildren()).filter(Sash.class::isInstance)
+        .forEach(sash -> sash.setEnabled(!now)));
   }
 
   /** Has a stack take the whole window, or all have their places again. */

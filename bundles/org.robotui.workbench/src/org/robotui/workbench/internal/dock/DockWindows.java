@@ -81,6 +81,7 @@ final class DockWindows implements DockTree.Builder, ViewStack.Gestures, ViewSta
     own.addAll(wanted);
     for (int i = 0; i < trees.size(); i++) {
       trees.get(i).show(now.layout(i));
+      trees.get(i).lock(docking.isLocked());
     }
     forget(new HashSet<>(now.views()));
     wanted.forEach(window -> window.show(title(window.tree())));
@@ -124,6 +125,12 @@ final class DockWindows implements DockTree.Builder, ViewStack.Gestures, ViewSta
 
   Stream<ViewStack> stacks() {
     return trees().stream().flatMap(tree -> tree.stacks().stream());
+  }
+
+  /** Has views stay where they lie. */
+  void lock(boolean now) {
+    docking.lock(now);
+    trees().forEach(tree -> tree.lock(now));
   }
 
   /** The windows of their own first: they lie in front of the main one. */
@@ -182,7 +189,7 @@ final class DockWindows implements DockTree.Builder, ViewStack.Gestures, ViewSta
 
   @Override
   public void menu(ViewStack stack, String view, Point at) {
-    treeOf(stack).ifPresent(tree -> new TabMenu(ruic, docking, addView).open(stack, tree, view, at));
+    treeOf(stack).filter(tree -> !docking.isLocked()).ifPresent(tree -> new TabMenu(ruic, docking, addView).open(stack, tree, view, at));
   }
 
   @Override
@@ -198,10 +205,12 @@ final class DockWindows implements DockTree.Builder, ViewStack.Gestures, ViewSta
 
   @Override
   public void drag(String view, Point at) {
-    if (drag.filter(d -> d.view().equals(view)).isEmpty()) {
-      drag = Optional.of(new TabDrag(view, docking, this::trees, surface.getDisplay()));
+    if (!docking.isLocked()) {
+      if (drag.filter(d -> d.view().equals(view)).isEmpty()) {
+        drag = Optional.of(new TabDrag(view, docking, this::trees, surface.getDisplay()));
+      }
+      drag.get().to(at);
     }
-    drag.get().to(at);
   }
 
   @Override
@@ -220,11 +229,12 @@ final class DockWindows implements DockTree.Builder, ViewStack.Gestures, ViewSta
   }
 
   @Override
-  public void closed(ViewWindow window) {
+  public boolean closed(ViewWindow window) {
     Arrangement next = docking.now();
     for (String view : window.tree().stacks().stream().flatMap(s -> s.ids().stream()).toList()) {
       next = next.closed(view);
     }
     docking.change(next);
+    return !docking.isLocked();
   }
 }

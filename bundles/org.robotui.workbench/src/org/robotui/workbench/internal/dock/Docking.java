@@ -15,6 +15,7 @@ public final class Docking {
   private final Arranging arranging;
   private final ArrangeHistory history;
   private final Runnable arranged;
+  private boolean locked;
 
   /**
    * Of a RUIC.
@@ -39,10 +40,19 @@ public final class Docking {
     return arranging;
   }
 
+  /** Has views stay where they lie, whatever is done to them; perspectives can be chosen all the same. */
+  void lock(boolean now) {
+    locked = now;
+  }
+
+  boolean isLocked() {
+    return locked;
+  }
+
   /** Arranges the views otherwise. */
   void change(Arrangement next) {
     Arrangement before = now();
-    if (!next.equals(before)) {
+    if (!locked && !next.equals(before)) {
       history.changes(before);
       quietly(next);
     }
@@ -81,29 +91,35 @@ public final class Docking {
 
   /** Whether there is something to undo. */
   public boolean canUndo() {
-    return history.canUndo();
+    return !locked && history.canUndo();
   }
 
   /** Whether there is something to redo. */
   public boolean canRedo() {
-    return history.canRedo();
+    return !locked && history.canRedo();
   }
 
   /** Takes the last change back. */
   public void undo() {
-    history.undo(now()).ifPresent(this::quietly);
+    if (canUndo()) {
+      history.undo(now()).ifPresent(this::quietly);
+    }
   }
 
   /** Makes the last change that was taken back. */
   public void redo() {
-    history.redo(now()).ifPresent(this::quietly);
+    if (canRedo()) {
+      history.redo(now()).ifPresent(this::quietly);
+    }
   }
 
   /** Has the configuration hold again. */
   public void reset() {
-    history.changes(now());
-    arranging.reset();
-    arranged.run();
+    if (!locked) {
+      history.changes(now());
+      arranging.reset();
+      arranged.run();
+    }
   }
 
   /** Arranges the views as a perspective has them. */

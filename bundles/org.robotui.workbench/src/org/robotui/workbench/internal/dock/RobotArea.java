@@ -52,6 +52,7 @@ public final class RobotArea extends Composite {
   private Optional<RuicSurface> surface = Optional.empty();
   private Optional<Control> message = Optional.empty();
   private String said = "";
+  private boolean locked;
 
   /**
    * Makes an area that shows nothing yet.
@@ -98,6 +99,12 @@ public final class RobotArea extends Composite {
     }
   }
 
+  /** Has views stay where they lie, or lets users arrange them again. */
+  public void lock(boolean now) {
+    locked = now;
+    surface.ifPresent(s -> s.lock(now));
+  }
+
   /** The surface of the RUIC that is shown. */
   public Optional<RuicSurface> surface() {
     return surface;
@@ -127,6 +134,7 @@ public final class RobotArea extends Composite {
     clear();
     RuicSurface next = new RuicSurface(this, theme, ruic, histories.apply(ruic), actions::addView);
     next.setLayoutData(new GridData(SWT.FILL, SWT.FILL, true, true));
+    next.lock(locked);
     surface = Optional.of(next);
     layout(true);
   }

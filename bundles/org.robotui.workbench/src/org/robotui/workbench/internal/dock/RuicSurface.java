@@ -57,6 +57,11 @@ public final class RuicSurface extends Composite {
     return docking;
   }
 
+  /** Has views stay where they lie, or lets users arrange them again. */
+  public void lock(boolean now) {
+    windows.lock(now);
+  }
+
   /** Lays the views out as they are arranged now; those that go on stay as they are. */
   public void arranged() {
     if (!isDisposed()) {

@@ -23,8 +23,8 @@ public final class ViewWindow {
     /** It lies elsewhere. */
     void moved(ViewWindow window, WindowBounds bounds);
 
-    /** It is closed. */
-    void closed(ViewWindow window);
+    /** It is to be closed; false where it stays. */
+    boolean closed(ViewWindow window);
   }
 
   private final Shell shell;
@@ -41,7 +41,7 @@ public final class ViewWindow {
     shell.setLayout(new FillLayout());
     tree = new DockTree(shell, theme, builder);
     place(bounds);
-    shell.addListener(SWT.Close, e -> listener.closed(this));
+    shell.addListener(SWT.Close, e -> e.doit = listener.closed(this));
     shell.addListener(SWT.Move, e -> shell.getDisplay().timerExec(SETTLED_MILLIS, settled));
     shell.addListener(SWT.Resize, e -> shell.getDisplay().timerExec(SETTLED_MILLIS, settled));
   }

@@ -13,6 +13,7 @@ public final class WindowModel {
   private final List<Runnable> fronts = new CopyOnWriteArrayList<>();
   private final List<Runnable> listeners = new CopyOnWriteArrayList<>();
   private Optional<Ruic> selected = Optional.empty();
+  private boolean operated;
 
   WindowModel(String window) {
     this.window = window;
@@ -48,7 +49,20 @@ public final class WindowModel {
     fronts.forEach(Runnable::run);
   }
 
-  /** Has something run after each change of the selection. */
+  /** Whether it is for an operator: nothing but views and what stops robots, and no view can be moved or closed. */
+  public boolean isOperated() {
+    return operated;
+  }
+
+  /** Makes it one for an operator, or for everybody again. */
+  public void operate(boolean now) {
+    if (operated != now) {
+      operated = now;
+      listeners.forEach(Runnable::run);
+    }
+  }
+
+  /** Has something run after each change of the selection, or of whom the window is for. */
   public Runnable onChange(Runnable listener) {
     listeners.add(listener);
     return () -> listeners.remove(listener);

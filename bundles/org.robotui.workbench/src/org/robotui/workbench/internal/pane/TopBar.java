@@ -1,5 +1,6 @@
 package org.robotui.workbench.internal.pane;
 
+import java.util.ArrayList;
 import java.util.List;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.layout.GridData;
@@ -59,7 +60,9 @@ public final class TopBar extends Composite {
   private final QuietButton release;
   private final QuietButton stop;
   private final SearchField search;
+  private final List<Control> menuButtons = new ArrayList<>();
   private Stops stops = new Stops(List.of(), List.of());
+  private boolean operated;
 
   /** Makes the bar. */
   public TopBar(Composite parent, Theme theme, List<MenuTitle> menus, Actions actions) {
@@ -93,6 +96,18 @@ public final class TopBar extends Composite {
     });
   }
 
+  /** For an operator there are no menus and no search. */
+  public void operated(boolean now) {
+    if (operated != now) {
+      operated = now;
+      menuButtons.forEach(button -> {
+        button.setVisible(!now);
+        of(button).exclude = now;
+      });
+      fit();
+    }
+  }
+
   /** Shows who drives, and which robots are stopped. */
   public void show(Lease shown, Stops now) {
     lease.show(shown);
@@ -122,6 +137,7 @@ public final class TopBar extends Composite {
   private void menu(MenuTitle title, Actions actions) {
     MenuButton button = new MenuButton(this, theme, title, actions);
     button.setLayoutData(new GridData(SWT.BEGINNING, SWT.CENTER, false, true));
+    menuButtons.add(button);
   }
 
   /**
@@ -129,7 +145,7 @@ public final class TopBar extends Composite {
    * releases: the stop is always seen.
    */
   private void fit() {
-    width(search, SEARCH_WIDTH);
+    width(search, operated ? 0 : SEARCH_WIDTH);
     width(lease, LEASE_WIDTH);
     width(stopped, stopped.computeSize(SWT.DEFAULT, SWT.DEFAULT).x);
     of(release).exclude = false;

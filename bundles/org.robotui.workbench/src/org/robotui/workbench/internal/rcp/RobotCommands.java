@@ -42,6 +42,7 @@ public final class RobotCommands extends AbstractHandler {
       case "layout.undo" -> actions.layout().ifPresent(layout -> layout.surface().docking().undo());
       case "layout.redo" -> actions.layout().ifPresent(layout -> layout.surface().docking().redo());
       case "layout.reset" -> actions.layout().ifPresent(layout -> layout.surface().docking().reset());
+      case "operator" -> actions.operate();
       case "perspective" -> actions.perspective(Integer.parseInt(event.getParameter(NUMBER)));
       case "theme" -> session.look().change(event.getParameter(THEME));
       default -> throw new ExecutionException("no such command: " + event.getCommand().getId());

@@ -68,6 +68,7 @@ public final class RobotPart extends ViewPart {
     RobotArea area = new RobotArea(parent, theme, session::history,
         new WindowActions(session, getSite().getWorkbenchWindow()));
     area.problems(session.configurations().problems());
+    area.lock(model.isOperated());
     area.show(model.selected());
     return area;
   }
@@ -117,6 +118,7 @@ public final class RobotPart extends ViewPart {
 
   private void show() {
     if (!pane.control().isDisposed()) {
+      pane.control().lock(model.isOperated());
       pane.control().show(model.selected());
       session.refresh();
     }

@@ -1,5 +1,6 @@
 package org.robotui.workbench.internal.rcp;
 
+import org.eclipse.e4.ui.model.application.ui.MUIElement;
 import org.eclipse.e4.ui.model.application.ui.SideValue;
 import org.eclipse.e4.ui.model.application.ui.basic.MTrimBar;
 import org.eclipse.e4.ui.model.application.ui.basic.MTrimElement;
@@ -27,6 +28,16 @@ final class Trim {
     EModelService service = window.getService(EModelService.class);
     add(service, model, SideValue.TOP, "org.robotui.workbench.top", TopControl.class);
     add(service, model, SideValue.BOTTOM, "org.robotui.workbench.bottom", StatusControl.class);
+  }
+
+  /** Whether the list of robots has its place at the left. */
+  static void navigator(IWorkbenchWindow window, boolean seen) {
+    MTrimmedWindow model = (MTrimmedWindow) window.getService(MTrimmedWindow.class);
+    MUIElement navigator = window.getService(EModelService.class).find(NavigatorPart.ID, model);
+    if (navigator != null) {
+      MUIElement place = navigator.getCurSharedRef() == null ? navigator : navigator.getCurSharedRef();
+      place.setVisible(seen);
+    }
   }
 
   private static void add(EModelService service, MTrimmedWindow window, SideValue side, String id, Class<?> type) {

@@ -207,6 +207,18 @@ final class WindowActions implements TopBar.Actions, Navigator.Actions, RobotAre
     return new WindowActions(WorkbenchServices.session(), window).layout();
   }
 
+  /** Gives the window to an operator, or to everybody again. */
+  void operate() {
+    boolean now = !model().isOperated();
+    model().operate(now);
+    Trim.navigator(window, !now);
+    window.getShell().setFullScreen(now);
+    if (now) {
+      session.alerts().pass("Operator mode: views stay where they lie. F11 leaves it.");
+    }
+    session.refresh();
+  }
+
   /** Arranges the views as one of the perspectives has them, by its number from 1. */
   void perspective(int number) {
     layout().map(l -> l.surface().docking()).ifPresent(docking -> docking.arranging().perspectives().keySet().stream()

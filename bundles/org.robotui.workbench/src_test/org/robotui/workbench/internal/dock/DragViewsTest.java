@@ -161,6 +161,25 @@ class DragViewsTest extends SurfaceBench {
   }
 
   @Test
+  void whatIsLockedStaysWhereItLies() {
+    RuicSurface surface = show(ROW);
+    TestDisplay.until(() -> !TestDisplay.get().readAndDispatch());
+    surface.lock(true);
+
+    drag("map", camera.control, 50, 50);
+    send(line("camera"), SWT.MouseDown, 20, 10, 0, 2);
+    surface.docking().reset();
+
+    assertEquals(ROW, now().layout());
+    assertTrue(Controls.all(shell, Sash.class).stream().noneMatch(Sash::getEnabled));
+    ruic.arranging().keep("All");
+    surface.docking().choose("All");
+    surface.lock(false);
+    send(line("camera"), SWT.MouseDown, 20, 10, 0, 2);
+    assertEquals(List.of("map", "plot"), now().views());
+  }
+
+  @Test
   void howTheUserDividesASplitIsKept() {
     show(ROW);
     TestDisplay.until(() -> !TestDisplay.get().readAndDispatch());
