@@ -88,11 +88,11 @@ class YamlConfigSourceTest {
     assertProblem(GOOD.replace("view: map", "view: mpa"), 14, 18, "there is no view 'mpa'; did you mean 'map'?");
     assertProblem(GOOD.replace("[ros.scan,", "[rso.scan,"), 10, 18,
         "there is no robot interface 'rso'; did you mean 'ros'?");
-    assertProblem(GOOD.replace("max_linear: 0.5", "max_linear: fast"), 17, 29,
+    assertProblem(GOOD.replace("max_linear: 0.5", "max_linear: fast"), 18, 29,
         "'max_linear' must be a number from 0 to 100 in m/s, not 'fast'");
     assertProblem(GOOD.replace("ruics:", "ruisc:"), 1, 1, "did you mean 'ruics'?");
     assertProblem(GOOD.replace("weight: 2", "weight: -2"), 14, 31, "'weight' must be a number from 0.01 to 1000");
-    assertProblem(GOOD.replace("    Natalie: {max", "    Natalia: {max"), 17, 7, "did you mean 'Natalie'?");
+    assertProblem(GOOD.replace("    Natalie: {max", "    Natalia: {max"), 18, 7, "did you mean 'Natalie'?");
   }
 
   @Test
