@@ -84,7 +84,8 @@ final class Showings {
   private ShowChoice opening(UicType type, Showing showing, Optional<String> misfit) {
     boolean broken = components.shown().stream().anyMatch(slot -> slot.config().type().equals(type.id()));
     Optional<String> obstacle = misfit.or(() -> type.surface() != Surface.WINDOW
-        ? Optional.of("no such view in this UI") : broken ? Optional.of("the view does not work") : Optional.empty());
+        ? Optional.of("no such view in this UI")
+        : broken ? Optional.of("the view does not work") : Optional.empty());
     return obstacle.map(why -> new ShowChoice("", type.label(), showing, why)).orElseGet(
         () -> new ShowChoice(arranged.closed(type.id()), type.label(), showing, "", Optional.of(type.id())));
   }

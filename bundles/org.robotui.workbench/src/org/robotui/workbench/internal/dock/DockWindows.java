@@ -189,7 +189,8 @@ final class DockWindows implements DockTree.Builder, ViewStack.Gestures, ViewSta
 
   @Override
   public void menu(ViewStack stack, String view, Point at) {
-    treeOf(stack).filter(tree -> !docking.isLocked()).ifPresent(tree -> new TabMenu(ruic, docking, addView).open(stack, tree, view, at));
+    treeOf(stack).filter(tree -> !docking.isLocked())
+        .ifPresent(tree -> new TabMenu(ruic, docking, addView).open(stack, tree, view, at));
   }
 
   @Override
