@@ -81,7 +81,7 @@ three_at_a_time() {
 # Tycho compiles changed tests only, and does not see the classes of the unchanged ones beside them.
 clear_test_classes() { rm -rf "$ROOT"/bundles/*/target/test-classes; }
 
-# Three files of tests at a time, as most of their time tests wait: docs/adr/0138-tests-run-two-at-a-time.md.
+# Two files of tests at a time, as most of their time tests wait: docs/adr/0138-tests-run-two-at-a-time.md.
 test_end_to_end() {
   if ! ls "$E2E"/test_*.py >/dev/null 2>&1; then
     say "No end-to-end tests: tests/e2e is not there."
@@ -96,7 +96,7 @@ test_end_to_end() {
   local rc=0 work
   # A short one: the sockets of what is tested lie in it, whose paths have 107 bytes at most.
   work=$(mktemp -d /tmp/e2e.XXXX)
-  (cd "$E2E" && /usr/bin/python3 -m pytest -q -p no:cacheprovider -n 3 --dist loadfile --reruns 1 --basetemp="$work" \
+  (cd "$E2E" && /usr/bin/python3 -m pytest -q -p no:cacheprovider -n 2 --dist loadfile --reruns 1 --basetemp="$work" \
     --junitxml=target/TEST-e2e.xml . </dev/null) >&2 || rc=$?
   case $rc in
     0) rm -rf "$work" ;;

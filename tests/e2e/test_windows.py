@@ -70,7 +70,7 @@ def bounds(window):
 
 def new_window(window):
     """By the first entry of the menu Window."""
-    output("xdotool", "windowactivate", "--sync", window, "mousemove", "--window", window, "271", "20", "click", "1")
+    output("xdotool", "windowactivate", "--sync", window, "mousemove", "--window", window, "362", "20", "click", "1")
     output("xdotool", "sleep", "1", "key", "Down", "sleep", "0.3", "key", "Return")
 
 
