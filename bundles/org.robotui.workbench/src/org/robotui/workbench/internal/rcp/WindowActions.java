@@ -213,6 +213,11 @@ final class WindowActions implements TopBar.Actions, Navigator.Actions, RobotAre
     model().operate(now);
     Trim.navigator(window, !now);
     window.getShell().setFullScreen(now);
+    // What had the focus may be hidden now; without any, no key would be heard, not even that which leaves this mode.
+    RobotPart.in(window).ifPresent(part -> {
+      window.getActivePage().activate(part);
+      part.setFocus();
+    });
     if (now) {
       session.alerts().pass("Operator mode: views stay where they lie. F11 leaves it.");
     }
