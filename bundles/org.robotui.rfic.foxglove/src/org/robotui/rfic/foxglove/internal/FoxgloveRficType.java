@@ -1,5 +1,6 @@
 package org.robotui.rfic.foxglove.internal;
 
+import java.net.URI;
 import java.time.Duration;
 import java.util.List;
 import org.osgi.service.component.annotations.Component;
@@ -9,9 +10,9 @@ import org.robotui.api.RficContext;
 import org.robotui.api.RficType;
 import org.robotui.api.config.Settings;
 import org.robotui.api.session.SessionRfic;
+import org.robotui.message.topic.SharedTopics;
 import org.robotui.message.topic.TopicPorts;
 import org.robotui.rfic.foxglove.internal.session.FoxgloveSession;
-import org.robotui.rfic.foxglove.internal.session.SharedServers;
 
 /** The type {@code foxglove}: a client of servers that speak Foxglove's WebSocket protocol. */
 @Component(service = RficType.class)
@@ -22,7 +23,7 @@ public final class FoxgloveRficType implements RficType {
       "Topics, services, parameters and transforms of a robot behind a server that speaks Foxglove's WebSocket protocol.",
       FoxgloveSettings.SCHEMA, List.of(TopicPorts.SERVICES, TopicPorts.GRAPH));
 
-  private final SharedServers servers = new SharedServers();
+  private final SharedTopics<URI> servers = new SharedTopics<>();
 
   @Override
   public Descriptor descriptor() {

@@ -9,9 +9,9 @@ import org.robotui.api.RficContext;
 import org.robotui.api.RficType;
 import org.robotui.api.config.Settings;
 import org.robotui.api.session.SessionRfic;
+import org.robotui.message.topic.SharedTopics;
 import org.robotui.message.topic.TopicPorts;
 import org.robotui.rfic.gazebo.internal.session.GazeboSession;
-import org.robotui.rfic.gazebo.internal.session.SharedPartitions;
 
 /** The type {@code gazebo}: robots in a simulator that speaks the transport of Gazebo. */
 @Component(service = RficType.class)
@@ -22,7 +22,7 @@ public final class GazeboRficType implements RficType {
       "Topics, services, poses and the clock of robots in a simulator that speaks the transport of Gazebo.",
       GazeboSettings.SCHEMA, List.of(TopicPorts.SERVICES, TopicPorts.GRAPH));
 
-  private final SharedPartitions partitions = new SharedPartitions();
+  private final SharedTopics<String> partitions = new SharedTopics<>();
 
   @Override
   public Descriptor descriptor() {

@@ -44,7 +44,6 @@ final class DockTree extends Composite {
   private final DropFrame frame;
   private final List<ViewStack> stacks = new ArrayList<>();
   private final Map<List<Integer>, SashForm> forms = new HashMap<>();
-  private final Map<SashForm, Runnable> settling = new HashMap<>();
   private Layout shown = new Layout.Tabs(List.of());
   private Optional<ViewStack> maximized = Optional.empty();
   private boolean locked;
@@ -135,30 +134,20 @@ final class DockTree extends Composite {
   /** The sashes are made when the form is laid out for the first time. */
   private void follow(SashForm form, List<Integer> place) {
     Set<Control> followed = new HashSet<>();
+    Runnable settled = () -> {
+      if (!form.isDisposed()) {
+        builder.divided(this, place, Arrays.stream(form.getWeights()).asDoubleStream().boxed().toList());
+      }
+    };
     form.addListener(SWT.Resize, e -> getDisplay().asyncExec(() -> {
       if (!form.isDisposed()) {
         Stream.of(form.getChildren()).filter(Sash.class::isInstance).filter(followed::add)
             .forEach(sash -> {
               sash.setEnabled(!locked);
-              sash.addListener(SWT.Selection, s -> settle(form, place));
+              sash.addListener(SWT.Selection, s -> getDisplay().timerExec(SETTLED_MILLIS, settled));
             });
       }
     }));
-  }
-
-  private void settle(SashForm form, List<Integer> place) {
-    Runnable former = settling.remove(form);
-    if (former != null) {
-      getDisplay().timerExec(-1, former);
-    }
-    Runnable settled = () -> {
-      settling.remove(form);
-      if (!form.isDisposed()) {
-        builder.divided(this, place, Arrays.stream(form.getWeights()).asDoubleStream().boxed().toList());
-      }
-    };
-    settling.put(form, settled);
-    getDisplay().timerExec(SETTLED_MILLIS, settled);
   }
 
   private void update(Layout layout, List<Integer> place) {

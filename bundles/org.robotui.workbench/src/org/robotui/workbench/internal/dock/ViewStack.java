@@ -160,9 +160,9 @@ final class ViewStack extends Composite {
     line.checks();
   }
 
-  /** Brings a view to the front, where it is among these, and has it show something. */
+  /** Has a view show something, where it is the one that is seen. */
   void view(String id, String showing, Subject subject) {
-    if (reveal(id)) {
+    if (seenId().equals(id)) {
       seen().view(showing, subject);
     }
   }

@@ -24,6 +24,7 @@ import org.robotui.foxglove.ServerInfo;
 import org.robotui.message.payload.RosDefinitions;
 import org.robotui.message.topic.DescriptionTopics;
 import org.robotui.message.topic.RobotTopics;
+import org.robotui.message.topic.SharedTopics;
 import org.robotui.message.topic.TopicPorts;
 import org.robotui.rfic.foxglove.internal.FoxgloveSettings;
 import org.robotui.rfic.foxglove.internal.call.FoxgloveBrowser;
@@ -45,7 +46,7 @@ public final class FoxgloveSession implements RobotSession {
   private final String server;
   private final FoxgloveClient client;
   private final ServerNews news;
-  private final SharedServers.OneServer shared;
+  private final SharedTopics.Group shared;
   private final LinkChanges link;
   private final FoxgloveTopics channels;
   private final RobotTopics topics;
@@ -57,7 +58,7 @@ public final class FoxgloveSession implements RobotSession {
   private boolean met;
   private long nextLook = opened;
 
-  private FoxgloveSession(RficContext context, FoxgloveSettings settings, SharedServers.OneServer shared,
+  private FoxgloveSession(RficContext context, FoxgloveSettings settings, SharedTopics.Group shared,
       FoxgloveClient client, ServerNews news) {
     this.settings = settings;
     this.server = settings.url().toString();
@@ -87,7 +88,7 @@ public final class FoxgloveSession implements RobotSession {
    * @return the session
    * @throws IOException where there is no such server
    */
-  public static RobotSession open(RficContext context, FoxgloveSettings settings, SharedServers.OneServer shared,
+  public static RobotSession open(RficContext context, FoxgloveSettings settings, SharedTopics.Group shared,
       SessionScope scope) throws IOException {
     ServerNews news = new ServerNews(settings.url().toString());
     try {

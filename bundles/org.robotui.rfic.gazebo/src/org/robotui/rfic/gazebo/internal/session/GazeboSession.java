@@ -15,6 +15,7 @@ import org.robotui.api.session.SessionScope;
 import org.robotui.gazebo.GazeboNode;
 import org.robotui.gazebo.types.GazeboTypes;
 import org.robotui.message.topic.RobotTopics;
+import org.robotui.message.topic.SharedTopics;
 import org.robotui.message.topic.TopicPorts;
 import org.robotui.rfic.gazebo.internal.GazeboSettings;
 import org.robotui.rfic.gazebo.internal.call.GazeboBrowser;
@@ -28,7 +29,7 @@ public final class GazeboSession implements RobotSession {
   private static final Duration INTRODUCTION = Duration.ofSeconds(4);
 
   private final GazeboSettings settings;
-  private final SharedPartitions.OnePartition shared;
+  private final SharedTopics.Group shared;
   private final LinkChanges link;
   private final GazeboTopics world;
   private final RobotTopics topics;
@@ -40,7 +41,7 @@ public final class GazeboSession implements RobotSession {
   private long heard;
   private long nextLook = opened;
 
-  private GazeboSession(RficContext context, GazeboSettings settings, SharedPartitions.OnePartition shared,
+  private GazeboSession(RficContext context, GazeboSettings settings, SharedTopics.Group shared,
       GazeboNode node, NodeNews news) {
     this.settings = settings;
     this.shared = shared;
@@ -65,7 +66,7 @@ public final class GazeboSession implements RobotSession {
    * @return the session
    * @throws IOException where the addresses cannot be used
    */
-  public static RobotSession open(RficContext context, GazeboSettings settings, SharedPartitions.OnePartition shared,
+  public static RobotSession open(RficContext context, GazeboSettings settings, SharedTopics.Group shared,
       SessionScope scope) throws IOException {
     NodeNews news = new NodeNews();
     GazeboNode node = scope.closing(GazeboNode.open(settings.options(context.threads()), news), GazeboNode::close);
