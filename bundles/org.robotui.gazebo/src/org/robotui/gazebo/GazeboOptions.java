@@ -5,6 +5,7 @@ import java.net.UnknownHostException;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ThreadFactory;
+import org.robotui.net.process.ThisMachine;
 
 /**
  * Where a node takes part, and as what.
@@ -71,12 +72,7 @@ public record GazeboOptions(String partition, InetAddress address, DiscoveryPort
 
   /** The name of this machine and of the user. */
   private static String usualPartition() {
-    String user = System.getProperty("user.name", "");
-    try {
-      return InetAddress.getLocalHost().getHostName() + ":" + user;
-    } catch (UnknownHostException e) {
-      return ":" + user;
-    }
+    return ThisMachine.name() + ":" + System.getProperty("user.name", "");
   }
 
   private static Optional<String> variable(Map<String, String> variables, String name) {

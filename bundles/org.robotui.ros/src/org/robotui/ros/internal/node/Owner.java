@@ -1,10 +1,7 @@
 package org.robotui.ros.internal.node;
 
-import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
-import java.util.Optional;
 import org.robotui.net.process.RunningProcess;
+import org.robotui.net.process.ThisMachine;
 
 /**
  * Whose a node is.
@@ -15,20 +12,10 @@ import org.robotui.net.process.RunningProcess;
 record Owner(String host, RunningProcess process) {
 
   static Owner current() {
-    return new Owner(thisHost(), RunningProcess.current());
-  }
-
-  /** Asking the name service could take long: the kernel knows it, elsewhere the environment. */
-  private static String thisHost() {
-    try {
-      return Files.readString(Path.of("/proc/sys/kernel/hostname")).strip();
-    } catch (IOException e) {
-      return Optional.ofNullable(System.getenv("COMPUTERNAME")).or(() -> Optional.ofNullable(System.getenv("HOSTNAME")))
-          .orElse("");
-    }
+    return new Owner(ThisMachine.name(), RunningProcess.current());
   }
 
   boolean isOnThisHost() {
-    return host.equals(thisHost());
+    return host.equals(ThisMachine.name());
   }
 }

@@ -118,16 +118,20 @@ public final class KnownScene {
         Place inner = own.in(own.parent(), still);
         SceneFields.each(model, "model").forEach(each -> model(each, inner));
         SceneFields.each(model, "link").forEach(each -> link(each, inner));
-        SceneFields.each(model, "visual").forEach(each -> looks.add(new Look(own.parent(), each)));
+        look(model, own);
       });
     }
 
     private void link(DynamicRecord link, Place place) {
       add(link, place, place.fixed()).ifPresent(own -> {
-        SceneFields.each(link, "visual").stream().limit(MOST - looks.size())
-            .forEach(each -> looks.add(new Look(own.parent(), each)));
+        look(link, own);
         SceneFields.each(link, "sensor").forEach(each -> add(each, own, true));
       });
+    }
+
+    private void look(DynamicRecord what, Place own) {
+      SceneFields.each(what, "visual").stream().limit(MOST - looks.size())
+          .forEach(each -> looks.add(new Look(own.parent(), each)));
     }
 
     /** Gives something a frame; answers the place within it, or none where there is no room for it. */

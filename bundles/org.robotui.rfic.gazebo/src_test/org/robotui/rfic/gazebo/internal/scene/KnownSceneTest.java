@@ -3,6 +3,7 @@ package org.robotui.rfic.gazebo.internal.scene;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -70,6 +71,15 @@ class KnownSceneTest {
     assertEquals(new Vector3(1, 2, 3), markers.getFirst().scale());
     assertEquals(new Vector3(5, 0, 0), markers.getLast().pose().translation());
     assertEquals("rover::chassis", markers.getFirst().frame().name());
+  }
+
+  @Test
+  void aSceneHasSoManyLooksAtMost() {
+    Map<String, Object> link = Map.of("name", "chassis", "id", 5, "visual", List.of(BALL));
+    Map<String, Object> heap = Map.of("name", "heap", "id", 4, "visual", Collections.nCopies(20_001, BOX), "link",
+        List.of(link));
+    scene.take("yard", record("Scene", Map.of("model", List.of(heap))));
+    assertEquals(20_000, SceneMarkers.of("robby", scene).entries().size());
   }
 
   @Test
