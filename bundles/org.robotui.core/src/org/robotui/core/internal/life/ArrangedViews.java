@@ -7,7 +7,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
-import java.util.stream.IntStream;
 import java.util.zip.CRC32;
 import org.robotui.api.UicType;
 import org.robotui.api.UicType.Surface;
@@ -156,9 +155,8 @@ final class ArrangedViews implements Arranging {
   @Override
   public String freshId(String type) {
     Set<String> taken = plan.ids(now.added());
-    return IntStream.iterate(1, n -> n + 1).mapToObj(n -> n == 1 ? type : type + "-" + n)
-        .filter(id -> !taken.contains(id) && ruic.config().rfic(id).isEmpty() && ruic.overlay().settings(id).isEmpty())
-        .findFirst().orElseThrow();
+    return FreshName.of(type, type + "-", id -> !taken.contains(id) && ruic.config().rfic(id).isEmpty()
+        && ruic.overlay().settings(id).isEmpty());
   }
 
   @Override

@@ -9,7 +9,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.stream.IntStream;
 import org.robotui.api.UicType;
 import org.robotui.api.UicType.Surface;
 import org.robotui.api.host.Arranging.PerspectiveImport;
@@ -83,8 +82,7 @@ record PerspectiveExchange(RuicParts ruic, ArrangedPlan plan, ArrangedViews view
     Set<String> taken = new LinkedHashSet<>(plan.ids(added));
     taken.addAll(plan.ids(views.now().added()));
     views.perspectives().values().forEach(p -> p.arrangement().added().forEach(a -> taken.add(a.id())));
-    String fresh = IntStream.iterate(1, n -> n + 1).mapToObj(n -> n == 1 ? id : type.id() + "-" + n)
-        .filter(candidate -> !taken.contains(candidate)).findFirst().orElseThrow();
+    String fresh = FreshName.of(id, type.id() + "-", candidate -> !taken.contains(candidate));
     added.add(new Added(fresh, type.id()));
     view.settings().forEach((name, value) -> ruic.overlay().set(fresh, name, value));
     return fresh;
@@ -92,8 +90,7 @@ record PerspectiveExchange(RuicParts ruic, ArrangedPlan plan, ArrangedViews view
 
   private String freshName(String wanted) {
     Set<String> taken = views.perspectives().keySet();
-    return IntStream.iterate(1, n -> n + 1).mapToObj(n -> n == 1 ? wanted : wanted + " " + n)
-        .filter(name -> !taken.contains(name)).findFirst().orElseThrow();
+    return FreshName.of(wanted, wanted + " ", name -> !taken.contains(name));
   }
 
   private static Layout renamed(Layout layout, Map<String, String> names) {

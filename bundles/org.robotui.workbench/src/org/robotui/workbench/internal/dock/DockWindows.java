@@ -134,8 +134,13 @@ final class DockWindows implements DockTree.Builder, ViewStack.Gestures, ViewSta
   }
 
   /** The windows of their own first: they lie in front of the main one. */
-  private List<DockTree> trees() {
+  List<DockTree> trees() {
     return Stream.concat(own.stream().map(ViewWindow::tree), Stream.of(main)).toList();
+  }
+
+  /** Which window of the arrangement a tree is: 0 for the main one, from 1 for the others. */
+  int number(DockTree tree) {
+    return tree == main ? 0 : trees().indexOf(tree) + 1;
   }
 
   void reveal(String view) {
@@ -178,8 +183,7 @@ final class DockWindows implements DockTree.Builder, ViewStack.Gestures, ViewSta
 
   @Override
   public void divided(DockTree tree, List<Integer> place, List<Double> weights) {
-    int window = tree == main ? 0 : trees().indexOf(tree) + 1;
-    docking.change(docking.now().weighted(window, place, weights));
+    docking.change(docking.now().weighted(number(tree), place, weights));
   }
 
   @Override
@@ -208,7 +212,7 @@ final class DockWindows implements DockTree.Builder, ViewStack.Gestures, ViewSta
   public void drag(String view, Point at) {
     if (!docking.isLocked()) {
       if (drag.filter(d -> d.view().equals(view)).isEmpty()) {
-        drag = Optional.of(new TabDrag(view, docking, this::trees, surface.getDisplay()));
+        drag = Optional.of(new TabDrag(view, docking, this, surface.getDisplay()));
       }
       drag.get().to(at);
     }

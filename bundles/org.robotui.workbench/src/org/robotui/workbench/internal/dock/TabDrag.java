@@ -2,7 +2,6 @@ package org.robotui.workbench.internal.dock;
 
 import java.util.List;
 import java.util.Optional;
-import java.util.function.Supplier;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.graphics.Point;
 import org.eclipse.swt.graphics.Rectangle;
@@ -23,7 +22,7 @@ final class TabDrag {
 
   private final String view;
   private final Docking docking;
-  private final Supplier<List<DockTree>> trees;
+  private final DockWindows windows;
   private final Display display;
   private final Listener escape = e -> cancel(e.keyCode);
   private Optional<DockTree> over = Optional.empty();
@@ -32,10 +31,10 @@ final class TabDrag {
   /** A place under the pointer, what would be taken of it, and how that is called. */
   private record Place(DockTree tree, DropTarget target, Rectangle part, String words) {}
 
-  TabDrag(String view, Docking docking, Supplier<List<DockTree>> trees, Display display) {
+  TabDrag(String view, Docking docking, DockWindows windows, Display display) {
     this.view = view;
     this.docking = docking;
-    this.trees = trees;
+    this.windows = windows;
     this.display = display;
     display.addFilter(SWT.KeyDown, escape);
   }
@@ -82,14 +81,13 @@ final class TabDrag {
   }
 
   private Optional<Place> place(Point at) {
-    List<DockTree> all = trees.get();
-    return all.stream().filter(tree -> tree.isVisible() && tree.getClientArea().contains(tree.toControl(at)))
-        .findFirst().flatMap(tree -> place(tree, all, at));
+    return windows.trees().stream()
+        .filter(tree -> tree.isVisible() && tree.getClientArea().contains(tree.toControl(at)))
+        .findFirst().flatMap(tree -> place(tree, at));
   }
 
-  private Optional<Place> place(DockTree tree, List<DockTree> all, Point at) {
-    // The windows of their own come first in the list: they lie in front of the main one.
-    int window = tree == all.getLast() ? 0 : all.indexOf(tree) + 1;
+  private Optional<Place> place(DockTree tree, Point at) {
+    int window = windows.number(tree);
     Rectangle whole = tree.getClientArea();
     Optional<Edge> border = DropSides.border(whole, tree.toControl(at), BORDER);
     if (tree.stacks().isEmpty()) {

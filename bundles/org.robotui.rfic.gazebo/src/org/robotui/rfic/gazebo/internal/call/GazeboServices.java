@@ -1,6 +1,5 @@
 package org.robotui.rfic.gazebo.internal.call;
 
-import java.nio.ByteBuffer;
 import java.time.Duration;
 import java.util.Map;
 import java.util.function.Supplier;
@@ -63,10 +62,7 @@ public final class GazeboServices implements CallHandler<ServiceRequest, Service
    */
   public Outcome<DynamicRecord> ask(OfferedService service, Map<String, Object> fields, Duration patience)
       throws InterruptedException {
-    ByteBuffer request = formats.of(service.request()).write(fields);
-    byte[] bytes = new byte[request.remaining()];
-    request.get(bytes);
-    return node.ask(service, bytes, patience).map(response -> service.isOneWay()
+    return node.ask(service, formats.written(service.request(), fields), patience).map(response -> service.isOneWay()
         ? new MapRecord(service.response(), Map.of())
         : formats.of(service.response()).read(response));
   }

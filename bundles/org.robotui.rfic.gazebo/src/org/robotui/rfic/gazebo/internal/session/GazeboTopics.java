@@ -1,6 +1,5 @@
 package org.robotui.rfic.gazebo.internal.session;
 
-import java.nio.ByteBuffer;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -99,11 +98,7 @@ public final class GazeboTopics implements TopicClient {
   }
 
   private byte[] written(String type, Twist twist) {
-    ByteBuffer bytes = formats.of(type)
-        .write(Map.of("linear", vector(twist.linear()), "angular", vector(twist.angular())));
-    byte[] all = new byte[bytes.remaining()];
-    bytes.get(all);
-    return all;
+    return formats.written(type, Map.of("linear", vector(twist.linear()), "angular", vector(twist.angular())));
   }
 
   private static Map<String, Object> vector(Vector3 v) {

@@ -1,5 +1,6 @@
 package org.robotui.rfic.gazebo.internal.session;
 
+import java.nio.ByteBuffer;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import org.robotui.gazebo.types.GazeboTypes;
@@ -29,6 +30,21 @@ public final class TypeFormats {
       known.clear(); // a simulator has some hundred types: somebody makes them up
     }
     return known.computeIfAbsent(type, this::find);
+  }
+
+  /**
+   * A message, ready to be sent.
+   *
+   * @param type its full name
+   * @param fields by name
+   * @return its bytes
+   * @throws IllegalArgumentException where it cannot be written
+   */
+  public byte[] written(String type, Map<String, Object> fields) {
+    ByteBuffer message = of(type).write(fields);
+    byte[] bytes = new byte[message.remaining()];
+    message.get(bytes);
+    return bytes;
   }
 
   private PayloadFormat find(String type) {
