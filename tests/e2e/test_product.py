@@ -135,6 +135,19 @@ def test_without_a_display_the_window_says_so(state):
     assert "log file" not in said.stdout + said.stderr
 
 
+def test_without_gtk_the_window_names_the_package_that_has_it(state):
+    gtk = next((line.split()[-1] for line in run("/sbin/ldconfig", "-p").stdout.splitlines() if "libgtk-3.so.0" in line), None)
+    if gtk is None or run("unshare", "--map-root-user", "--mount", "true").returncode != 0:
+        pytest.skip("needs GTK 3, and a namespace of file systems in which it is hidden")
+
+    said = run("unshare", "--map-root-user", "--mount", "sh", "-c", 'mount --bind /dev/null "$0" && exec "$@"', os.path.realpath(gtk),
+               PRODUCTS["workbench"] / "robotui", "-config", ROOT / "configs/player.yaml", XDG_STATE_HOME=str(state))
+
+    assert said.returncode == 5, said.stderr
+    assert "GTK 3 is not installed" in said.stderr and "libgtk-3-0" in said.stderr
+    assert "log file" not in said.stdout + said.stderr
+
+
 def test_without_home_it_is_that_of_the_user(product):
     folder = shell("say", "surroundings", then="need_home; state_folder", without=("HOME", "XDG_STATE_HOME"))
 

@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Predicate;
 import org.eclipse.core.runtime.ILog;
 import org.eclipse.core.runtime.IStatus;
 import org.eclipse.core.runtime.Platform;
@@ -87,9 +88,9 @@ public final class WorkbenchApplication implements IApplication {
 
   private static Object show(Arguments arguments) throws InterruptedException {
     CompletableFuture<Void> components = WorkbenchServices.startLaterBundles(CORE_LIMIT);
-    Display.setAppName("RobotUI");
     Display display;
     try {
+      Display.setAppName("RobotUI");
       display = PlatformUI.createDisplay();
     } catch (SWTError | UnsatisfiedLinkError e) {
       System.err.println(withoutDisplay(e));
@@ -110,11 +111,23 @@ public final class WorkbenchApplication implements IApplication {
 
   private static String withoutDisplay(Error failure) {
     return failure instanceof UnsatisfiedLinkError
-        ? "RobotUI cannot open a window: GTK 3 is not installed, or not wholly ("
-            + failure.getMessage().lines().findFirst().orElse("") + ")"
+        ? "RobotUI cannot open a window: GTK 3 is not installed, or not wholly (" + missingLibrary(failure)
+            + "). On Debian and Ubuntu it is the package libgtk-3-0 or libgtk-3-0t64"
         : "RobotUI cannot open a window: there is no display, or it does not let us in (DISPLAY is "
             + Optional.ofNullable(System.getenv("DISPLAY")).map(name -> "'" + name + "'").orElse("not set")
             + "). Start it from a desktop session, through ssh -X or by xvfb-run -a, or see it as text: ./robotui run --text";
+  }
+
+  /** The toolkit names each place where it looked, a line each; the reason stands in the first that names a file. */
+  private static String missingLibrary(Error failure) {
+    return failure.getMessage()
+        .lines()
+        .map(String::strip)
+        .filter(line -> line.contains(": "))
+        .map(line -> line.substring(line.indexOf(": ") + 2))
+        .filter(Predicate.not(String::isBlank))
+        .findFirst()
+        .orElse("no reason was given");
   }
 
   private static Object run(Host host, Display display, Arguments arguments, CompletableFuture<Void> components) {
