@@ -6,6 +6,7 @@ import java.util.Map;
 
 import org.robotui.message.RecordCodec;
 import org.robotui.message.ros.tf2_msgs.TFMessage;
+import org.robotui.message.tf.FrameTransform;
 import org.robotui.ros.Publisher;
 import org.robotui.ros.PublisherOptions;
 import org.robotui.ros.RosNode;

@@ -1,15 +1,10 @@
 package org.robotui.ros.tf;
 
-import java.util.Optional;
-import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
-
 import org.robotui.geometry.TransformBuffer;
-import org.robotui.geometry.TransformPut;
 import org.robotui.message.RecordCodec;
-import org.robotui.message.ros.geometry_msgs.TransformStamped;
 import org.robotui.message.ros.tf2_msgs.TFMessage;
-import org.robotui.ros.Reception;
+import org.robotui.message.tf.TransformIntake;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.Subscriber;
 import org.robotui.ros.SubscriberOptions;
@@ -21,9 +16,7 @@ import org.robotui.ros.SubscriberOptions;
  */
 public final class TfListener implements AutoCloseable {
 
-  private final TransformBuffer<String> buffer;
-  private final Consumer<TfRefusal> refusals;
-  private final AtomicLong refused = new AtomicLong();
+  private final TransformIntake intake;
   private final Subscriber moving;
   private final Subscriber fixed;
   private final AutoCloseable jumps;
@@ -38,46 +31,14 @@ public final class TfListener implements AutoCloseable {
    */
   public TfListener(
       RosNode node, TfTopics topics, TransformBuffer<String> buffer, Consumer<TfRefusal> refusals) {
-    this.buffer = buffer;
-    this.refusals = refusals;
+    intake = new TransformIntake(buffer);
     jumps = node.clock().onJumpBack((from, to) -> buffer.clear());
     moving = node.subscriber(topics.moving(), RecordCodec.of(TFMessage.class), SubscriberOptions.standard(),
-        (message, reception) -> take(message, reception, topics.moving(), this::put));
+        (message, from) -> intake.moving(message, from.callerId(),
+            reason -> refusals.accept(new TfRefusal(topics.moving(), from.callerId(), reason))));
     fixed = node.subscriber(topics.fixed(), RecordCodec.of(TFMessage.class), SubscriberOptions.standard(),
-        (message, reception) -> take(message, reception, topics.fixed(), this::putStatic));
-  }
-
-  /** Stores one transform of a publisher. */
-  @FunctionalInterface
-  private interface Store {
-    TransformPut<String> put(FrameTransform transform, String authority);
-  }
-
-  private void take(TFMessage message, Reception reception, String topic, Store store) {
-    for (TransformStamped each : message.transforms()) {
-      problem(FrameTransform.of(each), reception.callerId(), store).ifPresent(reason -> {
-        refused.incrementAndGet();
-        refusals.accept(new TfRefusal(topic, reception.callerId(), reason));
-      });
-    }
-  }
-
-  private static Optional<String> problem(FrameTransform transform, String callerId, Store store) {
-    if (transform.parent().isEmpty() || transform.child().isEmpty()) {
-      return Optional.of("the transform '" + transform.parent() + "' -> '" + transform.child()
-          + "' has a frame without a name");
-    }
-    return store.put(transform, callerId) instanceof TransformPut.Refused<String> no
-        ? Optional.of(no.reason())
-        : Optional.empty();
-  }
-
-  private TransformPut<String> put(FrameTransform t, String authority) {
-    return buffer.put(t.parent(), t.child(), t.stampNanos(), t.parentFromChild(), authority);
-  }
-
-  private TransformPut<String> putStatic(FrameTransform t, String authority) {
-    return buffer.putStatic(t.parent(), t.child(), t.parentFromChild(), authority);
+        (message, from) -> intake.fixed(message, from.callerId(),
+            reason -> refusals.accept(new TfRefusal(topics.fixed(), from.callerId(), reason))));
   }
 
   /**
@@ -86,7 +47,7 @@ public final class TfListener implements AutoCloseable {
    * @return the number so far
    */
   public long refused() {
-    return refused.get();
+    return intake.refused();
   }
 
   /**

@@ -8,6 +8,7 @@ import java.util.List;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIf;
+import org.robotui.message.tf.FrameTransform;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.TransformBuffer;
 import org.robotui.geometry.TransformLimits;

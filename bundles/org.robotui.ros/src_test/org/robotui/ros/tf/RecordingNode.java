@@ -8,6 +8,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 
+import org.robotui.message.tf.FrameTransform;
 import org.robotui.message.MessageInfo;
 import org.robotui.message.ros.tf2_msgs.TFMessage;
 import org.robotui.ros.JumpListener;

@@ -13,6 +13,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.robotui.message.tf.FrameTransform;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.TransformBuffer;
 import org.robotui.message.RecordCodec;

@@ -1,7 +1,6 @@
-package org.robotui.ros.tf;
+package org.robotui.message.tf;
 
 import java.util.Objects;
-
 import org.robotui.geometry.Quaternion;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
@@ -27,7 +26,7 @@ public record FrameTransform(String parent, String child, long stampNanos, Rigid
   }
 
   /**
-   * The name of a frame as all of this library uses it.
+   * The name of a frame as libraries of both generations of ROS use it.
    *
    * @param frame as sent
    * @return without leading slashes
