@@ -7,16 +7,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.robotui.data.ClockKind;
 import org.robotui.data.Data;
 import org.robotui.data.FrameId;
 import org.robotui.data.array.Bytes;
-import org.robotui.data.array.Doubles;
 import org.robotui.data.geometry.TransformSet;
 import org.robotui.data.navigation.GridMap;
 import org.robotui.data.record.DynamicRecord;
@@ -41,72 +38,35 @@ class FoxgloveAdaptersTest {
 
   private final Adapters adapters = new Adapters();
 
-  /** A record that also has bytes. */
-  private record Fields(String schema, Map<String, Object> all) implements ByteFields {
-    @Override
-    public List<String> fields() {
-      return List.copyOf(all.keySet());
-    }
-
-    @Override
-    public Optional<FieldValue> field(String name) {
-      return Optional.ofNullable(all.get(name)).filter(FieldValue.class::isInstance).map(FieldValue.class::cast);
-    }
-
-    @Override
-    public Optional<Bytes> bytes(String name) {
-      return Optional.ofNullable(all.get(name)).filter(Bytes.class::isInstance).map(Bytes.class::cast);
-    }
-  }
-
   @SuppressWarnings("unchecked") // all of these adapters read records
   private <D extends Data> D converted(String type, Class<D> data, DynamicRecord record) {
     Adapter<DynamicRecord, ?> adapter = (Adapter<DynamicRecord, ?>) adapters.ofFields(type);
     return data.cast(adapter.convert().apply(record, NAMES).orElseThrow());
   }
 
-  private static Fields record(Object... namesAndValues) {
-    Map<String, Object> all = new LinkedHashMap<>();
-    for (int i = 0; i < namesAndValues.length; i += 2) {
-      all.put((String) namesAndValues[i], value(namesAndValues[i + 1]));
-    }
-    return new Fields("a", all);
-  }
-
-  private static Object value(Object plain) {
-    return switch (plain) {
-      case Number n -> new FieldValue.Num(n.doubleValue(), n.toString());
-      case String text -> new FieldValue.Text(text);
-      case DynamicRecord inner -> new FieldValue.Nested(inner);
-      case double[] numbers -> new FieldValue.Numbers(Doubles.wrap(numbers));
-      case List<?> items -> new FieldValue.Items(items.stream().map(v -> (FieldValue) value(v)).toList());
-      default -> plain;
-    };
-  }
-
-  private static Fields turned(double yaw, double x) {
+  private static NamedRecord turned(double yaw, double x) {
     Quaternion q = Quaternion.fromYaw(yaw);
-    return record("position", record("x", x), "orientation", record("x", 0, "y", 0, "z", q.z(), "w", q.w()));
+    return NamedRecord.of("position", NamedRecord.of("x", x), "orientation", NamedRecord.of("x", 0, "y", 0, "z", q.z(), "w", q.w()));
   }
 
   @Test
   void aScanIsTurnedAsItsPoseSaysAndRefusedWhereThatWouldMoveIt() {
-    LaserScan scan = converted("foxglove.LaserScan", LaserScan.class, record("frame_id", "laser", "pose",
+    LaserScan scan = converted("foxglove.LaserScan", LaserScan.class, NamedRecord.of("frame_id", "laser", "pose",
         turned(0.5, 0), "start_angle", -1, "end_angle", 1, "ranges", new double[]{1, 3, Double.POSITIVE_INFINITY}));
     assertEquals(new FrameId("robby", "laser"), scan.frame());
     assertEquals(-0.5, scan.angle(0), 1e-9);
     assertEquals(1.5, scan.angle(2), 1e-9);
     assertTrue(scan.isEcho(1) && !scan.isEcho(2));
-    Fields moved = record("pose", turned(0, 2), "ranges", new double[]{1});
+    NamedRecord moved = NamedRecord.of("pose", turned(0, 2), "ranges", new double[]{1});
     assertThrows(IllegalArgumentException.class, () -> converted("foxglove.LaserScan", LaserScan.class, moved));
   }
 
   @Test
   void aCloudIsMovedAsItsPoseSays() {
     ByteBuffer points = ByteBuffer.allocate(16).order(ByteOrder.LITTLE_ENDIAN).putFloat(1).putFloat(0).putFloat(5);
-    List<Object> fields = List.of(record("name", "x", "offset", 0, "type", "FLOAT32"),
-        record("name", "y", "offset", 4, "type", 7), record("name", "z", "offset", 8, "type", 7));
-    PointCloud cloud = converted("foxglove.PointCloud", PointCloud.class, record("pose", turned(Math.PI / 2, 10),
+    List<Object> fields = List.of(NamedRecord.of("name", "x", "offset", 0, "type", "FLOAT32"),
+        NamedRecord.of("name", "y", "offset", 4, "type", 7), NamedRecord.of("name", "z", "offset", 8, "type", 7));
+    PointCloud cloud = converted("foxglove.PointCloud", PointCloud.class, NamedRecord.of("pose", turned(Math.PI / 2, 10),
         "point_stride", 16, "fields", fields, "data", Bytes.wrap(points.rewind())));
     ByteBuffer moved = cloud.points().buffer(ByteOrder.LITTLE_ENDIAN);
     assertEquals(1, cloud.size());
@@ -117,27 +77,27 @@ class FoxgloveAdaptersTest {
 
   @Test
   void aGridWithOccupancyIsAMapAndOneWithoutIsRefused() {
-    Fields red = record("name", "red", "offset", 0, "type", "UINT8");
-    Fields occupancy = record("name", "occupancy", "offset", 1, "type", "INT8");
+    NamedRecord red = NamedRecord.of("name", "red", "offset", 0, "type", "UINT8");
+    NamedRecord occupancy = NamedRecord.of("name", "occupancy", "offset", 1, "type", "INT8");
     Bytes data = Bytes.of((byte) 9, (byte) 100, (byte) 9, (byte) -1, (byte) 7, (byte) 9, (byte) 0, (byte) 9, (byte) 50);
-    Fields good = record("column_count", 2, "cell_size", record("x", 0.5, "y", 0.5), "row_stride", 4, "cell_stride", 2,
+    NamedRecord good = NamedRecord.of("column_count", 2, "cell_size", NamedRecord.of("x", 0.5, "y", 0.5), "row_stride", 4, "cell_stride", 2,
         "fields", List.of(red, occupancy), "data", data);
     GridMap map = converted("foxglove.Grid", GridMap.class, good);
     assertEquals(List.of(2, 2), List.of(map.width(), map.height()));
     assertEquals(Bytes.of((byte) 100, (byte) -1, (byte) 9, (byte) 9), map.cells());
-    Fields lying = record("column_count", 2_000_000_000, "cell_size", record("x", 0.5, "y", 0.5), "row_stride", 1,
+    NamedRecord lying = NamedRecord.of("column_count", 2_000_000_000, "cell_size", NamedRecord.of("x", 0.5, "y", 0.5), "row_stride", 1,
         "cell_stride", 2, "fields", List.of(occupancy), "data", data);
     assertThrows(IllegalArgumentException.class, () -> converted("foxglove.Grid", GridMap.class, lying));
-    Fields colours = record("cell_size", record(), "fields", List.of(red, red));
+    NamedRecord colours = NamedRecord.of("cell_size", NamedRecord.of(), "fields", List.of(red, red));
     assertThrows(IllegalArgumentException.class, () -> converted("foxglove.Grid", GridMap.class, colours));
   }
 
   @Test
   void transformsAreThoseOfRos() {
-    Fields transform = record("timestamp", record("sec", 2, "nsec", 3), "parent_frame_id", "map", "child_frame_id",
-        "base", "translation", record("x", 1, "y", 2, "z", 3), "rotation", record("w", 1));
+    NamedRecord transform = NamedRecord.of("timestamp", NamedRecord.of("sec", 2, "nsec", 3), "parent_frame_id", "map", "child_frame_id",
+        "base", "translation", NamedRecord.of("x", 1, "y", 2, "z", 3), "rotation", NamedRecord.of("w", 1));
     TransformSet one = converted("foxglove.FrameTransform", TransformSet.class, transform);
-    assertEquals(one, converted("foxglove.FrameTransforms", TransformSet.class, record("transforms",
+    assertEquals(one, converted("foxglove.FrameTransforms", TransformSet.class, NamedRecord.of("transforms",
         List.of(transform))));
     assertEquals(new Vector3(1, 2, 3), one.transforms().getFirst().parentFromChild().translation());
     assertEquals(2_000_000_003L, one.transforms().getFirst().stamp().nanos());
