@@ -46,7 +46,8 @@ class FoxgloveAdaptersTest {
 
   private static NamedRecord turned(double yaw, double x) {
     Quaternion q = Quaternion.fromYaw(yaw);
-    return NamedRecord.of("position", NamedRecord.of("x", x), "orientation", NamedRecord.of("x", 0, "y", 0, "z", q.z(), "w", q.w()));
+    return NamedRecord.of("position", NamedRecord.of("x", x), "orientation",
+        NamedRecord.of("x", 0, "y", 0, "z", q.z(), "w", q.w()));
   }
 
   @Test
@@ -66,8 +67,9 @@ class FoxgloveAdaptersTest {
     ByteBuffer points = ByteBuffer.allocate(16).order(ByteOrder.LITTLE_ENDIAN).putFloat(1).putFloat(0).putFloat(5);
     List<Object> fields = List.of(NamedRecord.of("name", "x", "offset", 0, "type", "FLOAT32"),
         NamedRecord.of("name", "y", "offset", 4, "type", 7), NamedRecord.of("name", "z", "offset", 8, "type", 7));
-    PointCloud cloud = converted("foxglove.PointCloud", PointCloud.class, NamedRecord.of("pose", turned(Math.PI / 2, 10),
-        "point_stride", 16, "fields", fields, "data", Bytes.wrap(points.rewind())));
+    PointCloud cloud =
+        converted("foxglove.PointCloud", PointCloud.class, NamedRecord.of("pose", turned(Math.PI / 2, 10),
+            "point_stride", 16, "fields", fields, "data", Bytes.wrap(points.rewind())));
     ByteBuffer moved = cloud.points().buffer(ByteOrder.LITTLE_ENDIAN);
     assertEquals(1, cloud.size());
     assertEquals(10, moved.getFloat(0), 1e-5);
@@ -80,13 +82,15 @@ class FoxgloveAdaptersTest {
     NamedRecord red = NamedRecord.of("name", "red", "offset", 0, "type", "UINT8");
     NamedRecord occupancy = NamedRecord.of("name", "occupancy", "offset", 1, "type", "INT8");
     Bytes data = Bytes.of((byte) 9, (byte) 100, (byte) 9, (byte) -1, (byte) 7, (byte) 9, (byte) 0, (byte) 9, (byte) 50);
-    NamedRecord good = NamedRecord.of("column_count", 2, "cell_size", NamedRecord.of("x", 0.5, "y", 0.5), "row_stride", 4, "cell_stride", 2,
+    NamedRecord good = NamedRecord.of("column_count", 2, "cell_size", NamedRecord.of("x", 0.5, "y", 0.5), "row_stride",
+        4, "cell_stride", 2,
         "fields", List.of(red, occupancy), "data", data);
     GridMap map = converted("foxglove.Grid", GridMap.class, good);
     assertEquals(List.of(2, 2), List.of(map.width(), map.height()));
     assertEquals(Bytes.of((byte) 100, (byte) -1, (byte) 9, (byte) 9), map.cells());
-    NamedRecord lying = NamedRecord.of("column_count", 2_000_000_000, "cell_size", NamedRecord.of("x", 0.5, "y", 0.5), "row_stride", 1,
-        "cell_stride", 2, "fields", List.of(occupancy), "data", data);
+    NamedRecord lying =
+        NamedRecord.of("column_count", 2_000_000_000, "cell_size", NamedRecord.of("x", 0.5, "y", 0.5), "row_stride", 1,
+            "cell_stride", 2, "fields", List.of(occupancy), "data", data);
     assertThrows(IllegalArgumentException.class, () -> converted("foxglove.Grid", GridMap.class, lying));
     NamedRecord colours = NamedRecord.of("cell_size", NamedRecord.of(), "fields", List.of(red, red));
     assertThrows(IllegalArgumentException.class, () -> converted("foxglove.Grid", GridMap.class, colours));
@@ -94,8 +98,9 @@ class FoxgloveAdaptersTest {
 
   @Test
   void transformsAreThoseOfRos() {
-    NamedRecord transform = NamedRecord.of("timestamp", NamedRecord.of("sec", 2, "nsec", 3), "parent_frame_id", "map", "child_frame_id",
-        "base", "translation", NamedRecord.of("x", 1, "y", 2, "z", 3), "rotation", NamedRecord.of("w", 1));
+    NamedRecord transform =
+        NamedRecord.of("timestamp", NamedRecord.of("sec", 2, "nsec", 3), "parent_frame_id", "map", "child_frame_id",
+            "base", "translation", NamedRecord.of("x", 1, "y", 2, "z", 3), "rotation", NamedRecord.of("w", 1));
     TransformSet one = converted("foxglove.FrameTransform", TransformSet.class, transform);
     assertEquals(one, converted("foxglove.FrameTransforms", TransformSet.class, NamedRecord.of("transforms",
         List.of(transform))));

@@ -104,7 +104,8 @@ class GazeboAdaptersTest {
   @CsvSource({"RGB_INT8, RGB8, 3", "L_INT8, MONO8, 1", "R_FLOAT32, F32C1, 4", "BAYER_RGGB8, BAYER_RGGB8, 1"})
   void formatsOfPicturesAreKnown(String format, String encoding, int bytes) {
     RawImage image = converted("Image", RawImage.class, NamedRecord.of("header", header("frame_id", "camera"), "width",
-        2, "height", 1, "step", 2 * bytes, "pixel_format_type", format, "data", Bytes.wrap(ByteBuffer.allocate(2 * bytes))));
+        2, "height", 1, "step", 2 * bytes, "pixel_format_type", format, "data",
+        Bytes.wrap(ByteBuffer.allocate(2 * bytes))));
     assertEquals(encoding, image.encoding().name());
     assertEquals(List.of(2, 1, 2 * bytes), List.of(image.width(), image.height(), image.step()));
     assertEquals(new FrameId("robby", "camera"), image.frame());
@@ -133,12 +134,14 @@ class GazeboAdaptersTest {
     ByteBuffer points = ByteBuffer.allocate(24).order(ByteOrder.LITTLE_ENDIAN);
     points.putFloat(1).putFloat(2).putFloat(3).putFloat(4).putFloat(5).putFloat(6).flip();
     List<NamedRecord> fields = List.of(NamedRecord.of("name", "x", "offset", 0, "datatype", "FLOAT32", "count", 1),
-        NamedRecord.of("name", "y", "offset", 4, "datatype", 6), NamedRecord.of("name", "z", "offset", 8, "datatype", 6));
+        NamedRecord.of("name", "y", "offset", 4, "datatype", 6),
+        NamedRecord.of("name", "z", "offset", 8, "datatype", 6));
     PointCloud cloud = converted("PointCloudPacked", PointCloud.class, NamedRecord.of("field", fields, "width", 2,
         "height", 1, "point_step", 12, "row_step", 24, "data", Bytes.wrap(points)));
     assertEquals(2, cloud.size());
     assertThrows(IllegalArgumentException.class, () -> converted("PointCloudPacked", PointCloud.class, NamedRecord.of(
-        "field", fields, "width", 2_000_000, "height", 1, "point_step", 12, "row_step", 24, "data", Bytes.wrap(points))));
+        "field", fields, "width", 2_000_000, "height", 1, "point_step", 12, "row_step", 24, "data",
+        Bytes.wrap(points))));
   }
 
   @Test
