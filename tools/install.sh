@@ -103,6 +103,7 @@ file_address() {
 change_features() {
   need_product
   [[ $1 == installed || -w $WINDOW_PRODUCT/configuration ]] || fail "$WINDOW_PRODUCT cannot be written: let its owner do this"
+  export ROBOTUI_VMARGS="-XX:TieredStopAtLevel=1 ${ROBOTUI_VMARGS:-}"     # it ends before code of the slower compiler pays
   exec "$WINDOW_PRODUCT/robotui" -application org.robotui.headless.application -features "$@"
 }
 

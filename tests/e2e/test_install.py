@@ -124,7 +124,6 @@ def test_a_feature_is_used_updated_and_removed_without_a_restart(product, site, 
     assert newer.stdout.strip() == "Updated Robots that speak lines from 1.0.0 to 2.0.0.", newer.stderr
     product.says("Installed org.robotui.rfic.line 2.0.0.sample. Removed org.robotui.rfic.line 1.0.0.sample.")
     product.shows_the_robot()
-    assert f"{FEATURE}  " in product.ask("installed").stdout
 
     gone = product.ask("remove", FEATURE)
     assert gone.stdout.strip() == "Removed Robots that speak lines 2.0.0.", gone.stderr
@@ -147,8 +146,7 @@ def test_what_is_refused_leaves_the_product_as_it_was(product, site):
         assert product.state() == before
         return done.stderr
 
-    assert re.search(r"Lines by radio 1\.0\.0 needs the bundle org\.example\.radio in version 3\.0\.0, which is neither on the site nor installed\.",
-                     refused("lacking", "--unsigned"))
+    assert "Lines by radio 1.0.0 needs org.example.radio 3.0.0 or newer, but older than 4.0.0, which is neither on the site nor installed." in refused("lacking", "--unsigned")
     assert "its checksum is another one" in refused("one", "damaged")
     unsigned = refused("one")
     assert "Nobody has signed org.robotui.rfic.line" in unsigned and "Nothing was installed" in unsigned

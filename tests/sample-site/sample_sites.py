@@ -13,7 +13,7 @@ BUNDLE = "org.robotui.rfic.line"
 SITES = {
     "one": ("org.example.feature.line", "Robots that speak lines", "1.0.0", ""),
     "two": ("org.example.feature.line", "Robots that speak lines", "2.0.0", ""),
-    "lacking": ("org.example.feature.lacking", "Lines by radio", "1.0.0", '<requires><import plugin="org.example.radio" version="3.0.0"/></requires>'),
+    "lacking": ("org.example.feature.lacking", "Lines by radio", "1.0.0", '<requires><import plugin="org.example.radio" version="3.0.0" match="compatible"/></requires>'),
 }
 
 
@@ -48,7 +48,7 @@ def with_version(built, jar, version):
 def publish(sources, site):
     done = subprocess.run([PUBLISHER, "-application", "org.eclipse.equinox.p2.publisher.FeaturesAndBundlesPublisher", "-source", sources,
                            "-metadataRepository", site.as_uri(), "-artifactRepository", site.as_uri(), "-publishArtifacts", "-compress"],
-                          env=dict(os.environ), stdin=subprocess.DEVNULL, text=True, capture_output=True, timeout=120, check=False)
+                          env=dict(os.environ) | {"ROBOTUI_VMARGS": "-XX:TieredStopAtLevel=1"}, stdin=subprocess.DEVNULL, text=True, capture_output=True, timeout=120, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
 
 

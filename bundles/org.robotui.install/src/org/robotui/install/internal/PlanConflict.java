@@ -19,7 +19,9 @@ import org.eclipse.equinox.p2.metadata.IRequirement;
 @SuppressWarnings("restriction") // p2 tells reasons as values in packages of its own only
 final class PlanConflict {
   private static final String FEATURE = ".feature.group";
-  private static final Pattern REQUIREMENT = Pattern.compile("([^;\\s]+); (\\S+) (.+)");
+  private static final Pattern REQUIREMENT = 
+      Pattern.compile("([^;\\s]+); (\\S+) ([\\[(][^\\])]*[\\])]|[^,\\s]+).*");
+  private static final Pattern RANGE = Pattern.compile("[\\[(]([^,]+),([^\\])]+)[\\])]");
   private static final Pattern WORDS = Pattern.compile("\\s*\\[?(.*?)]?\\s*", Pattern.DOTALL);
 
   private PlanConflict() {}
@@ -61,9 +63,16 @@ final class PlanConflict {
     if (!parts.matches()) {
       return requirement.toString();
     }
-    String range = parts.group(3);
-    return kind(parts.group(1)) + parts.group(2).replace(FEATURE, "")
-        + (range.equals("0.0.0") ? "" : " in version " + range);
+    return kind(parts.group(1)) + parts.group(2).replace(FEATURE, "") + version(parts.group(3));
+  }
+
+  private static String version(String range) {
+    Matcher ends = RANGE.matcher(range);
+    if (!ends.matches()) {
+      return range.equals("0.0.0") ? "" : " " + range + " or newer";
+    }
+    return ends.group(1).equals(ends.group(2)) ? " " + ends.group(1)
+        : " " + ends.group(1) + " or newer, but older than " + ends.group(2);
   }
 
   private static String kind(String namespace) {
