@@ -15,16 +15,14 @@ public sealed interface InstallOutcome {
    * @param sentence what has come and gone
    * @param restart true where it takes effect with the next start, since the application itself uses what was replaced
    */
-  record Changed(String sentence, boolean restart) implements InstallOutcome {
-  }
+  record Changed(String sentence, boolean restart) implements InstallOutcome {}
 
   /**
    * There was nothing to do.
    *
    * @param sentence why
    */
-  record Unchanged(String sentence) implements InstallOutcome {
-  }
+  record Unchanged(String sentence) implements InstallOutcome {}
 
   /**
    * It was not done, and the product is as it was.
@@ -32,8 +30,7 @@ public sealed interface InstallOutcome {
    * @param reason for programs
    * @param sentence for users
    */
-  record Refused(Reason reason, String sentence) implements InstallOutcome {
-  }
+  record Refused(Reason reason, String sentence) implements InstallOutcome {}
 
   /** Why something was not done. */
   enum Reason {

@@ -25,6 +25,5 @@ public sealed interface SiteContent {
    *
    * @param sentence why, and what to do
    */
-  record Unreadable(String sentence) implements SiteContent {
-  }
+  record Unreadable(String sentence) implements SiteContent {}
 }

@@ -54,7 +54,8 @@ public final class HeadlessApplication implements IApplication {
       return compose(NewArguments.parse(words));
     }
     return !words.isEmpty() && words.getFirst().equals(FeatureArguments.OPTION)
-        ? change(FeatureArguments.parse(words)) : run(Arguments.parse(words.toArray(String[]::new)));
+        ? change(FeatureArguments.parse(words))
+        : run(Arguments.parse(words.toArray(String[]::new)));
   }
 
   private Exit change(FeatureArguments wanted) throws InterruptedException {

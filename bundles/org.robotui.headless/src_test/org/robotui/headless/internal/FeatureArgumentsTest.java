@@ -21,7 +21,8 @@ final class FeatureArgumentsTest {
   @Test
   void aSiteAndFeaturesAreRead() throws Exception {
     assertEquals(new FeatureArguments(Verb.INSTALL, Optional.of(URI.create("http://localhost/site")),
-        List.of("a", "b"), true), FeatureArguments.parse(words("-features install -site http://localhost/site a -unsigned b")));
+        List.of("a", "b"), true),
+        FeatureArguments.parse(words("-features install -site http://localhost/site a -unsigned b")));
     assertEquals(Verb.UPDATE, FeatureArguments.parse(words("-features update")).verb());
   }
 

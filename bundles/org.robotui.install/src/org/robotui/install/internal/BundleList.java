@@ -9,8 +9,7 @@ import java.util.Set;
 /** The bundles of a product, as its installer writes them down: {@code bundles.info}. */
 record BundleList(Set<Entry> entries) {
   /** One bundle. */
-  record Entry(String name, String version) {
-  }
+  record Entry(String name, String version) {}
 
   BundleList {
     entries = Set.copyOf(entries);

@@ -31,7 +31,9 @@ final class Damage {
 
   private static Stream<IStatus> all(IStatus status) {
     Stream<IStatus> cause = status.getException() instanceof ProvisionException inner && inner.getStatus() != status
-        ? all(inner.getStatus()) : Stream.empty();
-    return Stream.concat(Stream.of(status), Stream.concat(Arrays.stream(status.getChildren()).flatMap(Damage::all), cause));
+        ? all(inner.getStatus())
+        : Stream.empty();
+    return Stream.concat(Stream.of(status),
+        Stream.concat(Arrays.stream(status.getChildren()).flatMap(Damage::all), cause));
   }
 }

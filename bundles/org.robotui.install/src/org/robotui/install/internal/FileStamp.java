@@ -17,7 +17,8 @@ record FileStamp(long size, Instant changed) {
     try {
       BasicFileAttributes attributes = Files.readAttributes(file, BasicFileAttributes.class);
       return attributes.isRegularFile()
-          ? Optional.of(new FileStamp(attributes.size(), attributes.lastModifiedTime().toInstant())) : Optional.empty();
+          ? Optional.of(new FileStamp(attributes.size(), attributes.lastModifiedTime().toInstant()))
+          : Optional.empty();
     } catch (IOException e) {
       return Optional.empty();
     }

@@ -135,8 +135,9 @@ public final class LiveInstallation {
   }
 
   private static String names(String verb, Set<BundleList.Entry> entries) {
-    return entries.isEmpty() ? "" : entries.stream().map(entry -> entry.name() + " " + entry.version()).sorted()
-        .collect(Collectors.joining(", ", verb + " ", "."));
+    return entries.isEmpty() ? ""
+        : entries.stream().map(entry -> entry.name() + " " + entry.version()).sorted()
+            .collect(Collectors.joining(", ", verb + " ", "."));
   }
 
   private void said(String sentence, boolean trouble) {

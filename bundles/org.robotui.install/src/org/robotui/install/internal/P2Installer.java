@@ -195,7 +195,8 @@ public final class P2Installer implements FeatureInstaller {
     operation.setProvisioningContext(work.context(sources));
     IStatus resolved = operation.resolveModal(new StepMonitor(watcher));
     if (resolved.getSeverity() >= IStatus.ERROR || operation.getProvisioningPlan() == null) {
-      IStatus reasons = operation.getProvisioningPlan() == null ? resolved : operation.getProvisioningPlan().getStatus();
+      IStatus reasons =
+          operation.getProvisioningPlan() == null ? resolved : operation.getProvisioningPlan().getStatus();
       return new Refused(Reason.CONFLICT, PlanConflict.sentence(reasons.isOK() ? resolved : reasons));
     }
     IStatus done = operation.getProvisioningJob(new StepMonitor(watcher)).runModal(new StepMonitor(watcher));
@@ -254,7 +255,8 @@ public final class P2Installer implements FeatureInstaller {
     return switch (failure.getStatus().getCode()) {
       case ProvisionException.REPOSITORY_NOT_FOUND -> "There is no update site at " + site
           + ". It is a folder that has a file such as content.jar or p2.index.";
-      case ProvisionException.REPOSITORY_FAILED_AUTHENTICATION -> site + " asks for a password, which is not supported.";
+      case ProvisionException.REPOSITORY_FAILED_AUTHENTICATION -> site
+          + " asks for a password, which is not supported.";
       default -> site + " cannot be read: " + PlanConflict.sentence(failure.getStatus());
     };
   }

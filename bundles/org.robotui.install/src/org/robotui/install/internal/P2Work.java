@@ -99,7 +99,8 @@ final class P2Work implements AutoCloseable {
   static List<SiteFeature> features(Collection<IInstallableUnit> units) {
     List<SiteFeature> features = new ArrayList<>();
     units.stream().filter(unit -> unit.getId().endsWith(SUFFIX)).map(P2Work::feature).forEach(features::add);
-    features.sort(Comparator.comparing(SiteFeature::name, String.CASE_INSENSITIVE_ORDER).thenComparing(SiteFeature::id));
+    features
+        .sort(Comparator.comparing(SiteFeature::name, String.CASE_INSENSITIVE_ORDER).thenComparing(SiteFeature::id));
     return List.copyOf(features);
   }
 

@@ -19,7 +19,7 @@ import org.eclipse.equinox.p2.metadata.IRequirement;
 @SuppressWarnings("restriction") // p2 tells reasons as values in packages of its own only
 final class PlanConflict {
   private static final String FEATURE = ".feature.group";
-  private static final Pattern REQUIREMENT = 
+  private static final Pattern REQUIREMENT =
       Pattern.compile("([^;\\s]+); (\\S+) ([\\[(][^\\])]*[\\])]|[^,\\s]+).*");
   private static final Pattern RANGE = Pattern.compile("[\\[(]([^,]+),([^\\])]+)[\\])]");
   private static final Pattern WORDS = Pattern.compile("\\s*\\[?(.*?)]?\\s*", Pattern.DOTALL);

@@ -19,7 +19,8 @@ final class BundleListTest {
 
   @Test
   void aReplacedBundleHasGoneAndCome() throws Exception {
-    BundleList before = list("#encoding=UTF-8\n#version=1\na,1.0.0,plugins/a.jar,4,false\nb,1.0.0,plugins/b.jar,4,true\n");
+    BundleList before =
+        list("#encoding=UTF-8\n#version=1\na,1.0.0,plugins/a.jar,4,false\nb,1.0.0,plugins/b.jar,4,true\n");
     BundleList after = list("#encoding=UTF-8\na,2.0.0,plugins/a2.jar,4,false\nb,1.0.0,plugins/b.jar,5,true\n");
 
     assertEquals(Set.of(new Entry("a", "2.0.0")), after.without(before));

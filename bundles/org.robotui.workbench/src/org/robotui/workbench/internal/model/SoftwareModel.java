@@ -24,8 +24,7 @@ public final class SoftwareModel {
   private final Executor background;
   private final Executor display;
   private final Predicate<List<String>> accepts;
-  private Runnable changed = () -> {
-  };
+  private Runnable changed = () -> {};
   private List<SiteFeature> installed = List.of();
   private List<SiteFeature> offered = List.of();
   private Optional<URI> site;
@@ -39,7 +38,8 @@ public final class SoftwareModel {
    * @param installer does it
    * @param background runs what takes long, off the display thread
    * @param display runs tasks on the display thread
-   * @param accepts asks whether to install what nobody has signed, with the names of the files; called on the background
+   * @param accepts asks whether to install what nobody has signed, with the names of the files; called on the
+   * background
    */
   public SoftwareModel(FeatureInstaller installer, Executor background, Executor display,
       Predicate<List<String>> accepts) {

@@ -191,11 +191,13 @@ final class WindowActions implements TopBar.Actions, Navigator.Actions, RobotAre
     Shell shell = window.getShell();
     Optional<FeatureInstaller> installer = WorkbenchServices.installer();
     if (installer.isEmpty()) {
-      MessageDialog.openInformation(shell, "Install Software", "The installer has not started, so that nothing can be installed.");
+      MessageDialog.openInformation(shell, "Install Software",
+          "The installer has not started, so that nothing can be installed.");
       return;
     }
     SoftwareModel model = new SoftwareModel(installer.get(),
-        task -> Thread.ofPlatform().daemon().name("robotui-software").start(task), task -> onDisplay(shell, task), names -> acceptsUnsigned(shell, names));
+        task -> Thread.ofPlatform().daemon().name("robotui-software").start(task), task -> onDisplay(shell, task),
+        names -> acceptsUnsigned(shell, names));
     new SoftwareDialog(shell, session.look().theme(), model).open();
   }
 
