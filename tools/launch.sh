@@ -75,6 +75,8 @@ vm_arguments() {
     -Drobotui.home="$home"
     -Drobotui.state="$STATE"
     -Drobotui.log="$workspace/robotui.log"
+    -Drobotui.bundles="$(bundle_folder)"
+    -Drobotui.bundles.copies="$workspace/bundles"
     -Dlogback.configurationFile="$home/logback.xml"
     -Djava.util.logging.config.file="$home/logging.properties"
     -Dp2.httpRule=allow

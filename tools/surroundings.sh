@@ -25,6 +25,13 @@ state_folder() {
   printf '%s' "$base/robotui"
 }
 
+# The folder whose jars are bundles of every RobotUI of this user, likewise.
+bundle_folder() {
+  local base=${XDG_DATA_HOME:-}
+  [[ $base == /* ]] || base=$HOME/.local/share
+  printf '%s' "$base/robotui/bundles"
+}
+
 # Sets STATE to a folder that can be written, which nobody else may read; and temporary_state where it is only for this run.
 need_state() {
   STATE=$(state_folder)

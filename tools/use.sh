@@ -24,6 +24,13 @@ help_use() {
       --set KEY=VALUE           a setting of its interface, such as host=keira (any number)
       --ruic TYPE  --views A,B  else what fits best;  --connect VIEW.PORT=PORT  where several ports fit, else the plainest
       --robot NAME  --wait SECONDS  --dry   print it only
+  ./robotui install SITE [FEATURE...]   install features of an update site (an address or a folder); without FEATURE the only one that it offers,
+                                else what it offers is printed. What runs takes it up without a restart
+      --unsigned                do not ask before what nobody has signed is installed
+  ./robotui install DIR|JAR     the bundles that were built in a folder, each time that they are built; or one jar
+  ./robotui installed           print features and jars that can be removed
+  ./robotui update [FEATURE...] install newer versions, from the sites that something was installed from;  --unsigned  as above
+  ./robotui remove FEATURE|JAR...   remove features, or jars; settings stay
 TEXT
 }
 

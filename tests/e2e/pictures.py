@@ -11,6 +11,7 @@ import time
 
 from conftest import ROOT, Processes, Robot, start_simulator, wait_for
 from desktop import DARK, LIGHT, Keys, Motion, Picture, Window, missing, output
+from test_install import Served, sample_sites
 from test_new_robot import Form
 from views import MANIPULATOR, Views
 
@@ -25,12 +26,13 @@ SECONDS_OF_HOMING = 1.5                         # the motion takes some more
 # Of forms, on a robot that two frameworks reach.
 EXCHANGE = "exchange-dark.png"
 NEW_ROBOT = "new-robot-dark.png"
+INSTALL = "install-dark.png"
 TWO_FACES = "simulator: [{{robot: keira, speaks: [ros, player]}}]\nruics:\n  Keira:\n    type: mobilebase\n    rfics:\n      base: {{type: {type}}}\n"
 DOWN_TO_PLAYER = 2                              # in the menu of frameworks
 # Made together, as the robot drives meanwhile; the first ones are one view each.
 OF_VIEWS = {"scene-mobile-dark.png": "scene3d", "frames-dark.png": "tftree", "graph-dark.png": "graph"}
 DEMO = {*OF_VIEWS, "workbench-dark.png", "ros-inspect-dark.png", "workbench-light.png", "ros-plot-light.png"}
-KNOWN = {*CONFIGURED, *CONTROLLED, EXCHANGE, NEW_ROBOT, *DEMO}
+KNOWN = {*CONFIGURED, *CONTROLLED, EXCHANGE, NEW_ROBOT, INSTALL, *DEMO}
 # Across the building, so that it drives for a while.
 GOAL = "{header: {frame_id: map}, pose: {position: {x: 11.5, y: 7.2}, orientation: {w: 1}}}"
 BACK = "{header: {frame_id: map}, pose: {position: {x: 3.4, y: 7.0}, orientation: {z: 0.7, w: 0.7}}}"
@@ -189,6 +191,28 @@ def new_robot(processes, environment):
     window.close()
 
 
+def install(processes, environment):
+    """A site that the user knows, opened by the search."""
+    sample_sites.make(processes.folder, "one")
+    (processes.folder / "served").mkdir()
+    site = Served(processes.folder, processes.folder / "served")
+    site.show("one")
+    state = processes.folder / "install-state/robotui"
+    state.mkdir(parents=True)
+    (state / "update-sites.txt").write_text(f"{site.address}\n", encoding="utf-8")
+    (processes.folder / "empty.yaml").write_text("ruics: {}\n", encoding="utf-8")
+    window = Window.open(Robot(processes, "", environment), processes.folder / "empty.yaml", "--theme", "dark", name="install")
+    output("xdotool", "windowactivate", "--sync", window.id)
+    output("xdotool", "key", "--delay", "0", "ctrl+3", *"install", "Return")
+    form = titled("^Install software")
+    wait_for(lambda: Picture(output("import", "-silent", "-window", form, "-depth", "8", "ppm:-")).count(DARK["accent"]) > 20, what="what the site offers")
+    time.sleep(1)
+    save(window, INSTALL, seen=form)
+    output("xdotool", "windowactivate", "--sync", form, "key", "Escape", "sleep", "1")
+    window.close()
+    site.server.shutdown()
+
+
 def main():
     if missing():
         sys.exit(f"pictures need {missing()}")
@@ -207,6 +231,8 @@ def main():
                 exchange(processes, environment)
             if NEW_ROBOT in wanted:
                 new_robot(processes, environment)
+            if INSTALL in wanted:
+                install(processes, environment)
             if wanted & DEMO:
                 robot = start_simulator(processes, environment, 0, "simulator")
                 dark(robot, configuration)

@@ -1,15 +1,20 @@
 package org.robotui.headless.internal;
 
+import java.io.BufferedReader;
+import java.io.InputStreamReader;
 import java.io.PrintStream;
+import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import org.eclipse.equinox.app.IApplication;
 import org.eclipse.equinox.app.IApplicationContext;
 import org.osgi.framework.FrameworkUtil;
 import org.robotui.api.host.Host;
+import org.robotui.install.FeatureInstaller;
 
 /** The application without a window: shows robots in a terminal or as JSON lines, or checks a configuration. */
 public final class HeadlessApplication implements IApplication {
@@ -25,12 +30,12 @@ public final class HeadlessApplication implements IApplication {
     String[] words = (String[]) context.getArguments().get(IApplicationContext.APPLICATION_ARGS);
     context.applicationRunning();
     try {
-      return (Arrays.asList(words).contains("-new") ? compose(NewArguments.parse(Arrays.asList(words)))
-          : run(Arguments.parse(words))).code();
+      return run(Arrays.asList(words)).code();
     } catch (Arguments.Wrong e) {
       err.println(e.getMessage());
       err.print(Arguments.USAGE);
       err.print(NewArguments.USAGE);
+      err.print(FeatureArguments.USAGE);
       return Exit.USAGE.code();
     } finally {
       out.flush();
@@ -42,6 +47,31 @@ public final class HeadlessApplication implements IApplication {
   @Override
   public void stop() {
     stop.countDown();
+  }
+
+  private Exit run(List<String> words) throws Arguments.Wrong, InterruptedException {
+    if (words.contains("-new")) {
+      return compose(NewArguments.parse(words));
+    }
+    return !words.isEmpty() && words.getFirst().equals(FeatureArguments.OPTION)
+        ? change(FeatureArguments.parse(words))
+        : run(Arguments.parse(words.toArray(String[]::new)));
+  }
+
+  private Exit change(FeatureArguments wanted) throws InterruptedException {
+    try (AwaitedService<FeatureInstaller> service = service(FeatureInstaller.class)) {
+      Optional<FeatureInstaller> installer = service.await(CORE_LIMIT);
+      if (installer.isEmpty()) {
+        err.println("the installer did not start within " + CORE_LIMIT.toSeconds() + " s");
+        return Exit.NO_CORE;
+      }
+      BufferedReader answers = new BufferedReader(new InputStreamReader(System.in, Charset.defaultCharset()));
+      return new FeatureRun(installer.get(), out, err, answers).run(wanted);
+    }
+  }
+
+  private <S> AwaitedService<S> service(Class<S> type) {
+    return new AwaitedService<>(FrameworkUtil.getBundle(getClass()).getBundleContext(), type);
   }
 
   private Exit compose(NewArguments wanted) throws InterruptedException {
@@ -58,7 +88,7 @@ public final class HeadlessApplication implements IApplication {
   }
 
   private Exit withHost(Task task) throws InterruptedException {
-    try (HostService service = new HostService(FrameworkUtil.getBundle(getClass()).getBundleContext())) {
+    try (AwaitedService<Host> service = service(Host.class)) {
       Optional<Host> host = service.await(CORE_LIMIT);
       if (host.isEmpty()) {
         err.println("the core did not start within " + CORE_LIMIT.toSeconds() + " s");

@@ -143,6 +143,7 @@ public final class WorkbenchApplication implements IApplication {
 
   private static Object run(WorkbenchSession session, Display display) {
     Runnable withdraw = WorkbenchServices.publish(session);
+    Runnable unheard = WorkbenchServices.listen(session::installed);
     Optional<Measurement> measurement =
         session.arguments().measure().map(file -> new Measurement(session.host(), display, file));
     CountDownLatch ended = new CountDownLatch(1);
@@ -159,6 +160,7 @@ public final class WorkbenchApplication implements IApplication {
       measurement.ifPresent(Measurement::close);
       session.close();
       end(session.host(), display);
+      unheard.run();
       withdraw.run();
       errors.ifPresent(ErrorLog::close);
       ended.countDown();

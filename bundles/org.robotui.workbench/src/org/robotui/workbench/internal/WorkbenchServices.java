@@ -12,6 +12,8 @@ import org.osgi.framework.FrameworkUtil;
 import org.osgi.framework.startlevel.FrameworkStartLevel;
 import org.osgi.util.tracker.ServiceTracker;
 import org.robotui.api.host.Host;
+import org.robotui.install.FeatureInstaller;
+import org.robotui.install.InstallListener;
 import org.slf4j.LoggerFactory;
 
 /**
@@ -55,6 +57,16 @@ public final class WorkbenchServices {
   /** The engine of style sheets. */
   public static Optional<IThemeManager> themes() {
     return service(IThemeManager.class);
+  }
+
+  /** What installs features; it starts last. */
+  public static Optional<FeatureInstaller> installer() {
+    return service(FeatureInstaller.class);
+  }
+
+  /** Has somebody told what bundles come and go by themselves; running the result ends that. */
+  static Runnable listen(InstallListener listener) {
+    return context().registerService(InstallListener.class, listener, null)::unregister;
   }
 
   private static <S> Optional<S> service(Class<S> type) {

@@ -261,6 +261,18 @@ public final class WorkbenchSession {
     loaders.forEach(Runnable::run);
   }
 
+  /** A bundle has come or gone that nobody in a window asked for. Any thread. */
+  void installed(String sentence, boolean trouble) {
+    later(() -> {
+      if (trouble) {
+        alerts.tell("", sentence);
+      } else {
+        alerts.pass(sentence);
+      }
+      refresh();
+    });
+  }
+
   private void later(Runnable task) {
     if (!display.isDisposed()) {
       display.asyncExec(task);

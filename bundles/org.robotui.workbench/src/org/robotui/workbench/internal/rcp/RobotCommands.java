@@ -36,6 +36,7 @@ public final class RobotCommands extends AbstractHandler {
       case "connections" -> actions.withSelected(actions::connections);
       case "exchange" -> actions.withSelected(actions::exchange);
       case "reuse" -> actions.reuse();
+      case "software" -> actions.software();
       case "view.add" -> actions.addView();
       case "view.close" -> actions.layout().ifPresent(LayoutActions::close);
       case "view.maximize" -> actions.layout().ifPresent(layout -> layout.surface().maximize());

@@ -3,22 +3,26 @@ package org.robotui.workbench.internal.rcp;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
 import org.eclipse.jface.dialogs.MessageDialog;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.widgets.Control;
 import org.eclipse.swt.widgets.FileDialog;
+import org.eclipse.swt.widgets.Shell;
 import org.eclipse.ui.IWorkbenchWindow;
 import org.robotui.api.command.Authority;
 import org.robotui.api.host.InterfaceConfig;
 import org.robotui.api.host.Ruic;
 import org.robotui.api.port.SourceId;
 import org.robotui.api.show.Subject;
+import org.robotui.install.FeatureInstaller;
 import org.robotui.ui.show.SubjectMenu;
 import org.robotui.workbench.internal.WorkbenchServices;
 import org.robotui.workbench.internal.WorkbenchSession;
 import org.robotui.workbench.internal.model.ExchangeModel;
 import org.robotui.workbench.internal.model.NewRobotModel;
+import org.robotui.workbench.internal.model.SoftwareModel;
 import org.robotui.workbench.internal.model.WindowModel;
 import org.robotui.workbench.internal.pane.ConnectionsDialog;
 import org.robotui.workbench.internal.pane.ExchangeDialog;
@@ -28,6 +32,7 @@ import org.robotui.workbench.internal.pane.NewRobotDialog;
 import org.robotui.workbench.internal.pane.ReuseDialog;
 import org.robotui.workbench.internal.dock.RobotArea;
 import org.robotui.workbench.internal.pane.SearchPane;
+import org.robotui.workbench.internal.pane.SoftwareDialog;
 import org.robotui.workbench.internal.pane.TopBar;
 
 /** What the panes and commands of one window do. Display thread only. */
@@ -179,6 +184,40 @@ final class WindowActions implements TopBar.Actions, Navigator.Actions, RobotAre
   /** Shows which bundles are used by which robot UIs. */
   void reuse() {
     new ReuseDialog(window.getShell(), session.look().theme(), session.host().reuse()).open();
+  }
+
+  /** Installs, updates and removes features. */
+  void software() {
+    Shell shell = window.getShell();
+    Optional<FeatureInstaller> installer = WorkbenchServices.installer();
+    if (installer.isEmpty()) {
+      MessageDialog.openInformation(shell, "Install Software",
+          "The installer has not started, so that nothing can be installed.");
+      return;
+    }
+    SoftwareModel model = new SoftwareModel(installer.get(),
+        task -> Thread.ofPlatform().daemon().name("robotui-software").start(task), task -> onDisplay(shell, task),
+        names -> acceptsUnsigned(shell, names));
+    new SoftwareDialog(shell, session.look().theme(), model).open();
+  }
+
+  /** The window may have gone before what was begun there has ended. */
+  private static void onDisplay(Shell shell, Runnable task) {
+    if (!shell.isDisposed()) {
+      shell.getDisplay().asyncExec(task);
+    }
+  }
+
+  /** Asked by the installer, which waits for the answer; where nobody can be asked, nobody has agreed. */
+  private static boolean acceptsUnsigned(Shell shell, List<String> names) {
+    AtomicBoolean accepted = new AtomicBoolean();
+    if (!shell.isDisposed()) {
+      shell.getDisplay().syncExec(() -> accepted.set(MessageDialog.open(MessageDialog.WARNING, shell, "Not signed",
+          "Nobody has signed " + String.join(", ", names)
+              + ". What it holds can do all that you can do on this machine.",
+          SWT.NONE, "Install", "Cancel") == 0));
+    }
+    return accepted.get();
   }
 
   @Override
