@@ -136,7 +136,7 @@ public final class WorkbenchApplication implements IApplication {
     host.open(Surface.WINDOW, USER);
     try (ActiveTheme look = new ActiveTheme(display, theme, new PlatformTheme(display)::set)) {
       WorkbenchSession session = new WorkbenchSession(host, USER, display, arguments, state, look, components);
-      look.onChange(() -> state.put(THEME, look.theme().id()));
+      look.onChange(() -> state.put(THEME, look.choice()));
       return run(session, display);
     }
   }

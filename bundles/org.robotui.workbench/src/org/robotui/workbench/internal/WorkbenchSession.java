@@ -19,6 +19,8 @@ import org.robotui.api.host.Problem;
 import org.robotui.api.host.Ruic;
 import org.robotui.workbench.internal.display.Overviewer;
 import org.robotui.workbench.internal.dock.ArrangeHistory;
+import org.robotui.workbench.internal.keys.KeyStore;
+import org.robotui.workbench.internal.keys.KeysFile;
 import org.robotui.workbench.internal.model.Alerts;
 import org.robotui.workbench.internal.model.Overview;
 import org.robotui.workbench.internal.model.Stops;
@@ -47,6 +49,7 @@ public final class WorkbenchSession {
   private final Map<String, WindowModel> awaited = new HashMap<>();
   private final Configurations configurations;
   private final Alerts alerts = new Alerts(System::nanoTime);
+  private final KeyStore keys;
 
   /**
    * Starts to follow the core.
@@ -67,6 +70,7 @@ public final class WorkbenchSession {
     this.arguments = arguments;
     this.state = state;
     this.look = look;
+    keys = new KeyStore(new KeysFile(state.folder().resolve("keys.yaml")), damage -> alerts.tell("", damage));
     windows = new Windows(host);
     overviewer = new Overviewer(host, this::later, this::showAll);
     configurations = new Configurations(host, this::later, this::loaded, components);
@@ -121,6 +125,11 @@ public final class WorkbenchSession {
   /** What is kept from run to run. */
   public UserState state() {
     return state;
+  }
+
+  /** Which keys run which commands. */
+  public KeyStore keys() {
+    return keys;
   }
 
   /** The theme. */

@@ -1,11 +1,7 @@
 package org.robotui.core.internal.life;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
-import java.time.LocalDateTime;
-import java.time.format.DateTimeFormatter;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -18,6 +14,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
+import org.robotui.api.config.SetAside;
 import org.robotui.core.internal.config.model.Overlay;
 import org.robotui.core.internal.config.model.OverlayFile;
 import org.slf4j.Logger;
@@ -30,7 +27,6 @@ import org.slf4j.LoggerFactory;
 public final class OverlayStore {
   private static final Logger LOG = LoggerFactory.getLogger(OverlayStore.class);
   private static final long DELAY_MILLIS = 300;
-  private static final DateTimeFormatter TIME = DateTimeFormatter.ofPattern("yyyyMMdd-HHmmss");
 
   private final OverlayFile format;
   private final Path file;
@@ -72,14 +68,7 @@ public final class OverlayStore {
   }
 
   private void setAside(String why) {
-    Path aside = file.resolveSibling(file.getFileName() + ".damaged-" + TIME.format(LocalDateTime.now()));
-    String where;
-    try {
-      Files.copy(file, aside, StandardCopyOption.REPLACE_EXISTING);
-      where = "The file is kept as " + aside + ".";
-    } catch (IOException e) {
-      where = file + " could not be copied: " + e;
-    }
+    String where = SetAside.copy(file);
     LOG.warn("Of what was changed before something is lost: {}. {}", why, where);
     teller.accept("Of what you had changed in views and layouts something is lost: " + why + ". " + where);
   }

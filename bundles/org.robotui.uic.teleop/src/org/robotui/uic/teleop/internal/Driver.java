@@ -23,6 +23,8 @@ final class Driver {
   /** Navigation tells its progress several times as often. */
   private static final double MOMENT_SECONDS = 1.5;
   private static final Duration VALID = Duration.ofMillis(250);
+  /** For how long a gamepad drives without that its view was seen. */
+  private static final long SEEN_NANOS = 400_000_000;
 
   private final TeleopModel model = new TeleopModel();
   private final Output<VelocityCommand> output;
@@ -32,6 +34,8 @@ final class Driver {
   private final SettingsStore settings;
   private boolean moving;
   private boolean asking;
+  private Optional<Long> seen = Optional.empty();
+  private String padState = "";
   private Optional<String> refusal = Optional.empty();
 
   Driver(Output<VelocityCommand> output, Input<Twist> odometry, Input<NavigationStatus> navigation, Principal principal,
@@ -59,6 +63,34 @@ final class Driver {
     hands(now, TeleopModel::dragEnd);
   }
 
+  /** The dead-man button of a gamepad is held, and its stick stands there. */
+  synchronized void pad(Stick stick, long now) {
+    if (isSeen(now)) {
+      hands(now, hands -> hands.pad(stick));
+    } else {
+      model.padLetGo();
+    }
+  }
+
+  /** Nobody holds the dead-man button any more. */
+  synchronized void padEnd(long now) {
+    hands(now, TeleopModel::padEnd);
+  }
+
+  /** How it stands with the gamepad, in a few words; empty where none is wanted. */
+  synchronized void padState(String words) {
+    padState = words;
+  }
+
+  /** The view can be seen in the window in front: a gamepad drives only what its user sees. */
+  synchronized void seen(long now) {
+    seen = Optional.of(now);
+  }
+
+  private boolean isSeen(long now) {
+    return seen.filter(last -> now - last < SEEN_NANOS).isPresent();
+  }
+
   synchronized void half(boolean on) {
     model.half(on);
   }
@@ -80,7 +112,16 @@ final class Driver {
   /** Keys are no longer seen: the focus is gone. */
   synchronized void forget() {
     model.forget();
-    halt();
+    if (!model.padHeld()) {
+      halt();
+    }
+  }
+
+  /** The view is seen no more: no hand holds on, whatever it lies on. */
+  synchronized void leave() {
+    seen = Optional.empty();
+    model.forget();
+    letGo();
   }
 
   synchronized void stop() {
@@ -115,6 +156,9 @@ final class Driver {
     if (!mayDrive()) {
       model.letGo();
     }
+    if (model.padHeld() && !isSeen(now)) {
+      model.padLetGo();
+    }
     if (model.held(now)) {
       send(model.step(now, limits()));
     } else {
@@ -128,7 +172,7 @@ final class Driver {
         limits(),
         lease(authority), authority.stoppedBy().map(Principal::label),
         asking && !(lease(authority) instanceof TeleopViewState.Lease.Mine),
-        refusal, navigates(now), output.state());
+        refusal, navigates(now), output.state(), padState);
   }
 
   private void hands(long now, Consumer<TeleopModel> change) {

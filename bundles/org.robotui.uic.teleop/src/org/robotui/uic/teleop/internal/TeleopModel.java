@@ -25,6 +25,8 @@ final class TeleopModel {
   private final Map<DriveKey, Long> leaving = new EnumMap<>(DriveKey.class);
   private final Set<DriveKey> spent = EnumSet.noneOf(DriveKey.class);
   private Optional<Stick> drag = Optional.empty();
+  private Optional<Stick> pad = Optional.empty();
+  private boolean padSpent;
   private boolean half;
   private Speed speed = Speed.ZERO;
   private Optional<Long> lastStep = Optional.empty();
@@ -50,14 +52,37 @@ final class TeleopModel {
     drag = Optional.empty();
   }
 
+  /** The dead-man button of a gamepad is held. */
+  void pad(Stick stick) {
+    pad = padSpent ? Optional.empty() : Optional.of(stick);
+  }
+
+  /** The dead-man button is up, or the gamepad is gone. */
+  void padEnd() {
+    pad = Optional.empty();
+    padSpent = false;
+  }
+
+  /** The gamepad does nothing until its dead-man button has been up. */
+  void padLetGo() {
+    pad = Optional.empty();
+    padSpent = true;
+  }
+
+  boolean padHeld() {
+    return pad.isPresent();
+  }
+
   void half(boolean on) {
     half = on;
   }
 
-  /** Whether a hand is on the mouse or on a key: the dead-man. Without one the next motion begins at rest. */
+  /**
+   * Whether a hand is on the mouse, on a key or on a gamepad: the dead-man. Without one the next motion begins at rest.
+   */
   boolean held(long now) {
     settle(now);
-    boolean held = drag.isPresent() || down.stream().anyMatch(key -> !spent.contains(key));
+    boolean held = drag.isPresent() || pad.isPresent() || down.stream().anyMatch(key -> !spent.contains(key));
     if (!held) {
       rest();
     }
@@ -68,23 +93,27 @@ final class TeleopModel {
   void letGo() {
     spent.addAll(down);
     drag = Optional.empty();
+    padSpent |= pad.isPresent();
+    pad = Optional.empty();
     rest();
   }
 
-  /** Forgets all keys, because releases will not be seen: the focus is gone. */
+  /** Forgets all keys, because releases will not be seen: the focus is gone. A gamepad needs none. */
   void forget() {
     down.clear();
     leaving.clear();
     spent.clear();
     half = false;
     dragEnd();
-    rest();
+    if (pad.isEmpty()) {
+      rest();
+    }
   }
 
   /** Where the stick is held. */
   Stick stick(long now) {
     settle(now);
-    Stick held = drag.orElseGet(this::keys);
+    Stick held = drag.or(() -> pad).orElseGet(this::keys);
     return half ? held.times(HALF) : held;
   }
 

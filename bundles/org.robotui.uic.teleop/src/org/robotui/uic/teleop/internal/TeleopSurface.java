@@ -48,6 +48,7 @@ final class TeleopSurface implements ViewSurface {
     canvas.moveBelow(null);
     root.setTabList(tabs());
     root.addDisposeListener(e -> leave());
+    new SeenWatch(root, () -> driver.seen(System.nanoTime())).begin();
   }
 
   @Override
@@ -84,7 +85,7 @@ final class TeleopSurface implements ViewSurface {
 
   /** The focus goes while all still stands: GTK would tell a half disposed canvas that it has lost it. */
   private void leave() {
-    driver.forget();
+    driver.leave();
     canvas.setEnabled(false);
   }
 

@@ -1,6 +1,7 @@
 package org.robotui.uic.teleop.internal;
 
 import java.util.List;
+import java.util.stream.Stream;
 import org.osgi.service.component.annotations.Component;
 import org.robotui.api.Descriptor;
 import org.robotui.api.Uic;
@@ -40,7 +41,7 @@ public final class TeleopType implements UicType {
 
   private static final double RATE_HZ = 20;
 
-  private static final Schema SCHEMA = Schema.of(
+  private static final Schema SCHEMA = Schema.of(Stream.concat(Stream.of(
       Setting.of(MAX_LINEAR, new ValueType.Num(0, HIGHEST_LINEAR, "m/s"), 0.4,
           "Speed at full stick; navigation has limits of its own."),
       Setting.of(MAX_ANGULAR, new ValueType.Num(0, HIGHEST_ANGULAR, "rad/s"), 1.0,
@@ -48,7 +49,8 @@ public final class TeleopType implements UicType {
       Setting.of(ACCELERATION_LINEAR, new ValueType.Num(0.05, 10, "m/s\u00b2"), 1.0,
           "How suddenly the speed may change while the stick is held; letting go always stops at once."),
       Setting.of(ACCELERATION_ANGULAR, new ValueType.Num(0.05, 30, "rad/s\u00b2"), 3.0,
-          "How suddenly the turning speed may change while the stick is held."));
+          "How suddenly the turning speed may change while the stick is held.")),
+      PadMapping.SETTINGS.stream()).toArray(Setting[]::new));
 
   private static final Descriptor DESCRIPTOR = new Descriptor("teleop", "Teleop",
       "Drives a mobile base by an on-screen stick or by keys, as long as they are held.",
@@ -71,9 +73,9 @@ public final class TeleopType implements UicType {
 
   @Override
   public Uic create(UicContext context, Settings settings) {
-    return new TeleopUic(
+    Driver driver =
         new Driver(context.output(CMD_VEL), context.input(ODOM), context.input(NAVIGATION), context.principal(),
-            context.settings()),
-        context.settings());
+            context.settings());
+    return new TeleopUic(driver, context.settings(), context.background());
   }
 }

@@ -19,6 +19,7 @@ import org.robotui.ui.Figures;
  * @param refusal why the last command was refused
  * @param navigates whether navigation drives to a goal
  * @param output whether there is somebody to command
+ * @param pad how it stands with the gamepad, empty where none is wanted
  */
 record TeleopViewState(
     String robot,
@@ -32,7 +33,8 @@ record TeleopViewState(
     boolean asking,
     Optional<String> refusal,
     boolean navigates,
-    InputState output) {
+    InputState output,
+    String pad) {
   /** Who drives. */
   sealed interface Lease {
     /** Nobody. */
@@ -52,6 +54,7 @@ record TeleopViewState(
       case Lease.Mine m -> "you";
       case Lease.Other o -> o.name();
     };
-    return "control: " + who + " \u00b7 by hand max " + Figures.of(limits.linear(), 2, "m/s");
+    return "control: " + who + " \u00b7 by hand max " + Figures.of(limits.linear(), 2, "m/s")
+        + (pad.isEmpty() ? "" : " \u00b7 " + pad);
   }
 }

@@ -65,7 +65,8 @@ record Gallery(GalleryWindow window, Theme theme) {
         context.settings());
     drive.accept(driver);
     Composite part = window.cell(x, y, width, height);
-    new TeleopUic(driver, context.settings()).createControl(part, UiContext.of(theme, part::setData));
+    new TeleopUic(driver, context.settings(), context.background()).createControl(part,
+        UiContext.of(theme, part::setData));
     part.layout();
   }
 }

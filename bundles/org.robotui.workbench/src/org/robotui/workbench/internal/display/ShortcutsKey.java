@@ -8,8 +8,10 @@ import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 import org.eclipse.swt.widgets.Event;
 import org.eclipse.swt.widgets.Listener;
+import org.eclipse.swt.widgets.Shell;
 import org.eclipse.swt.widgets.Spinner;
 import org.eclipse.swt.widgets.Text;
+import org.robotui.workbench.internal.dock.ViewWindow;
 
 /**
  * The question mark, which opens the list of shortcuts wherever it is not text. It is no key binding of the platform:
@@ -58,7 +60,7 @@ public final class ShortcutsKey {
 
   private boolean isWithin(Control control) {
     for (Control at = control; at != null; at = at.getParent()) {
-      if (at == views) {
+      if (at == views || at instanceof Shell shell && ViewWindow.isOne(shell) && at.getParent() == views.getShell()) {
         return true;
       }
     }

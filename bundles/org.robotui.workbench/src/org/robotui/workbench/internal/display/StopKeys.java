@@ -10,11 +10,13 @@ import org.eclipse.swt.widgets.Control;
 import org.eclipse.swt.widgets.Display;
 import org.eclipse.swt.widgets.Event;
 import org.eclipse.swt.widgets.Listener;
+import org.eclipse.swt.widgets.Shell;
 import org.eclipse.swt.widgets.Spinner;
 import org.eclipse.swt.widgets.Text;
 import org.robotui.ui.SpaceKey;
 import org.robotui.ui.control.QuietButton;
 import org.robotui.workbench.internal.dock.RuicSurface;
+import org.robotui.workbench.internal.dock.ViewWindow;
 
 /**
  * The keys that stop: F12 everywhere, also in dialogs, and space in the views of a robot. They are seen before any
@@ -66,7 +68,7 @@ public final class StopKeys implements AutoCloseable {
 
   private static boolean isInSurface(Control control) {
     for (Composite above = control.getParent(); above != null; above = above.getParent()) {
-      if (above instanceof RuicSurface) {
+      if (above instanceof RuicSurface || above instanceof Shell shell && ViewWindow.isOne(shell)) {
         return true;
       }
     }

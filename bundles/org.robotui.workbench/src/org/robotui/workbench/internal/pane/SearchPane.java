@@ -23,6 +23,7 @@ import org.robotui.ui.control.RowList;
 import org.robotui.ui.control.RowLook;
 import org.robotui.ui.control.RowWords;
 import org.robotui.workbench.internal.model.SearchEntry;
+import org.robotui.workbench.internal.model.SearchIndex;
 
 /**
  * The search for commands, views, their actions and robots, above the views. It is a part of the window and not a
@@ -36,7 +37,7 @@ public final class SearchPane extends Composite {
   private static final int HEAD = 26 + 3 * Theme.STEP + 6;
   private static final int TOP = 5;
 
-  private final List<SearchEntry> all;
+  private final SearchIndex all;
   private final FilterField field;
   private final RowList<SearchEntry> list;
   private final Optional<Control> former;
@@ -44,7 +45,7 @@ public final class SearchPane extends Composite {
 
   private SearchPane(Shell shell, Theme theme, String hint, List<SearchEntry> all) {
     super(shell, SWT.NONE);
-    this.all = all;
+    this.all = new SearchIndex(all);
     former = Optional.ofNullable(shell.getDisplay().getFocusControl());
     setBackground(theme.color(Role.LINE));
     GridLayout frame = Boxes.grid(1);
@@ -64,7 +65,8 @@ public final class SearchPane extends Composite {
 
   /** Opens it in a window, or has the one that is open there take the keys again. */
   public static SearchPane open(Shell shell, Theme theme, List<SearchEntry> all) {
-    return in(shell).orElseGet(() -> new SearchPane(shell, theme, "Search commands, views, robots", all)).take();
+    return in(shell)
+        .orElseGet(() -> new SearchPane(shell, theme, "Search commands, views, robots, topics, settings", all)).take();
   }
 
   /** Opens the list of shortcuts in a window, in place of a search that is open there. */
@@ -118,11 +120,12 @@ public final class SearchPane extends Composite {
   }
 
   private void find(String words) {
-    list.show(SearchEntry.find(all, words));
+    list.show(all.find(words));
     list.rows().stream().findFirst().ifPresentOrElse(first -> {
       list.noMessage();
       list.select(first);
-    }, () -> list.message(Health.NONE, "No match", "Search by words of a command, a view or a robot."));
+    }, () -> list.message(Health.NONE, "No match",
+        "Search by words or a few letters of a command, a view, a robot or a topic."));
     place();
   }
 

@@ -96,6 +96,11 @@ public final class TopBar extends Composite {
     });
   }
 
+  /** Which keys open the search, empty for none. */
+  public void searchKeys(String keys) {
+    search.keys(keys);
+  }
+
   /** For an operator there are no menus and no search. */
   public void operated(boolean now) {
     if (operated != now) {

@@ -32,6 +32,7 @@ import org.robotui.workbench.internal.pane.SearchPane;
  * @param surface its views
  */
 record LayoutActions(Shell shell, Theme theme, RuicSurface surface) {
+  private static final String USELESS = "No data";
   private static final String PATTERN = "*.yaml";
   private static final long MOST_BYTES = 1 << 20;
 
@@ -52,12 +53,17 @@ record LayoutActions(Shell shell, Theme theme, RuicSurface surface) {
     return entries;
   }
 
+  /** Whether a choice is a view that would show something, or was open before. */
+  static boolean isOfUse(SearchEntry choice) {
+    return !choice.group().equals(USELESS);
+  }
+
   private static String group(ViewFit fit) {
     return switch (fit.fit()) {
       case CONNECTED -> "Fits";
       case AMBIGUOUS -> "Asks which";
       case PENDING -> "Waits";
-      case MISSING -> "No data";
+      case MISSING -> USELESS;
     };
   }
 

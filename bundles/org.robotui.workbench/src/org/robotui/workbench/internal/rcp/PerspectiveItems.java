@@ -15,11 +15,10 @@ import org.eclipse.ui.menus.IWorkbenchContribution;
 import org.eclipse.ui.services.IServiceLocator;
 import org.robotui.api.host.Arranging;
 import org.robotui.api.host.Arranging.Perspective;
+import org.robotui.workbench.internal.WorkbenchServices;
 
 /** In the menu Perspective: the named arrangements of the robot that the window shows, and what can be done to them. */
 public final class PerspectiveItems extends CompoundContributionItem implements IWorkbenchContribution {
-  private static final int KEYS = 9;
-
   private IServiceLocator locator;
 
   @Override
@@ -59,7 +58,12 @@ public final class PerspectiveItems extends CompoundContributionItem implements 
   private static String label(String name, int number, Optional<String> chosen, Map<String, Perspective> all,
       Arranging arranging) {
     boolean changed = chosen.filter(name::equals).isPresent() && !all.get(name).arrangement().liesAs(arranging.now());
-    return name + (changed ? " (changed)" : "") + (number <= KEYS ? "\tCtrl+Alt+" + number : "");
+    return name + (changed ? " (changed)" : "") + keyOf(number);
+  }
+
+  private static String keyOf(int number) {
+    String key = WorkbenchServices.session().keys().text("perspective(" + number + ")");
+    return key.isEmpty() ? "" : "\t" + key;
   }
 
   private static ActionContributionItem item(String label, boolean checked, Runnable run) {

@@ -61,7 +61,7 @@ public final class RobotWorkbenchAdvisor extends WorkbenchAdvisor {
 
   @Override
   public String getMainPreferencePageId() {
-    return "org.eclipse.ui.preferencePages.Workbench";
+    return GeneralPage.ID;
   }
 
   @Override
@@ -71,6 +71,9 @@ public final class RobotWorkbenchAdvisor extends WorkbenchAdvisor {
 
   @Override
   public void postStartup() {
+    new PlatformKeys(PlatformUI.getWorkbench(), session.keys()).follow();
+    ViewWindowKeys.follow(PlatformUI.getWorkbench());
+    PreferencePages.tidy(PlatformUI.getWorkbench().getPreferenceManager());
     if (asks) {
       suspects.judge(RobotWorkbenchAdvisor::leaveOut).forEach(WorkbenchServices::disable);
       load();

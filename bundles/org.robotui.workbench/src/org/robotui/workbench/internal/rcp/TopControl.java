@@ -35,6 +35,7 @@ public final class TopControl {
 
   private void show(TopBar bar, WindowModel model) {
     bar.operated(model.isOperated());
+    bar.searchKeys(session.keys().text("search"));
     Optional<Ruic> ruic = model.selected();
     LinkState link = ruic.map(session.overview()::detail).orElse(Overview.Detail.NONE).link();
     bar.show(Lease.of(ruic.map(Ruic::authorities).orElse(List.of()), link, session.user()), session.stops());

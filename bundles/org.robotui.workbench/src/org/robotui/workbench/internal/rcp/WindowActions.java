@@ -15,6 +15,7 @@ import org.robotui.api.command.Authority;
 import org.robotui.api.host.InterfaceConfig;
 import org.robotui.api.host.Ruic;
 import org.robotui.api.port.SourceId;
+import org.robotui.api.show.ShowChoice;
 import org.robotui.api.show.Subject;
 import org.robotui.install.FeatureInstaller;
 import org.robotui.ui.show.SubjectMenu;
@@ -22,6 +23,7 @@ import org.robotui.workbench.internal.WorkbenchServices;
 import org.robotui.workbench.internal.WorkbenchSession;
 import org.robotui.workbench.internal.model.ExchangeModel;
 import org.robotui.workbench.internal.model.NewRobotModel;
+import org.robotui.workbench.internal.model.SearchEntry;
 import org.robotui.workbench.internal.model.SoftwareModel;
 import org.robotui.workbench.internal.model.WindowModel;
 import org.robotui.workbench.internal.pane.ConnectionsDialog;
@@ -54,12 +56,27 @@ final class WindowActions implements TopBar.Actions, Navigator.Actions, RobotAre
 
   @Override
   public void search() {
+    front();
     SearchPane.open(window.getShell(), session.look().theme(), new SearchEntries(session, window).all());
   }
 
   /** Shows all shortcuts, those of the view that has the focus first. */
   void shortcuts() {
+    front();
     SearchPane.openShortcuts(window.getShell(), session.look().theme(), new SearchEntries(session, window).shortcuts());
+  }
+
+  /** The keys may be with a view in a window of its own. */
+  private void front() {
+    window.getShell().forceActive();
+  }
+
+  /** Asks what is to be done with something of a robot: which view shows it, and how. */
+  void choose(Ruic ruic, Subject subject) {
+    List<SearchEntry> choices = ruic.showChoices(subject).stream().filter(ShowChoice::possible)
+        .map(choice -> new SearchEntry(choice.title(), choice.showing().label(), "", () -> ruic.show(choice, subject)))
+        .toList();
+    SearchPane.openList(window.getShell(), session.look().theme(), "What to do with it", choices);
   }
 
   @Override
@@ -249,6 +266,13 @@ final class WindowActions implements TopBar.Actions, Navigator.Actions, RobotAre
   /** Gives the window to an operator, or to everybody again. */
   void operate() {
     boolean now = !model().isOperated();
+    String key = session.keys().text("operator");
+    if (now && key.isEmpty()) {
+      session.alerts()
+          .pass("Operator mode needs a key that leaves it again: Window > Preferences > Keys gives it one.");
+      session.refresh();
+      return;
+    }
     model().operate(now);
     Trim.navigator(window, !now);
     window.getShell().setFullScreen(now);
@@ -258,7 +282,7 @@ final class WindowActions implements TopBar.Actions, Navigator.Actions, RobotAre
       part.setFocus();
     });
     if (now) {
-      session.alerts().pass("Operator mode: views stay where they lie. F11 leaves it.");
+      session.alerts().pass("Operator mode: views stay where they lie. " + key + " leaves it.");
     }
     session.refresh();
   }

@@ -1,5 +1,6 @@
 package org.robotui.workbench.internal.rcp;
 
+import org.eclipse.core.commands.ParameterizedCommand;
 import org.eclipse.core.commands.common.CommandException;
 import org.eclipse.ui.IWorkbenchWindow;
 import org.eclipse.ui.handlers.IHandlerService;
@@ -14,6 +15,14 @@ final class WorkbenchCommands {
 
   WorkbenchCommands(IWorkbenchWindow window) {
     this.window = window;
+  }
+
+  void run(ParameterizedCommand command) {
+    try {
+      window.getService(IHandlerService.class).executeCommand(command, null);
+    } catch (CommandException e) {
+      LOG.warn("the command {} cannot be run now", command.getId(), e);
+    }
   }
 
   void run(String id) {
