@@ -51,9 +51,10 @@ final class PadFollower implements Runnable {
       driver.padState("gamepad");
       PadHands hands = new PadHands();
       ByteBuffer bytes = ByteBuffer.allocateDirect(PadEvent.BYTES);
-      while (mapping.get().device().equals(wanted)) {
-        read(channel, bytes.clear());
+      read(channel, bytes.clear());
+      while (mapping.get().device().equals(wanted)) { // asked after each wait: it may have been put away meanwhile
         PadEvent.read(bytes.flip()).ifPresent(event -> pass(hands.take(event, mapping.get()), hands));
+        read(channel, bytes.clear());
       }
       return "";
     } catch (AccessDeniedException e) {
