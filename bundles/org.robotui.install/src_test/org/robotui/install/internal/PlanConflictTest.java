@@ -37,7 +37,8 @@ final class PlanConflictTest {
     IRequirement requirement =
         MetadataFactory.createRequirement(namespace, name, new VersionRange(range), null, false, false);
     return PlanConflict
-        .sentence(conflict(new Explanation.MissingIU(unit("lidar.feature.group", "1.0.0", "Lidar"), requirement, false)));
+        .sentence(
+            conflict(new Explanation.MissingIU(unit("lidar.feature.group", "1.0.0", "Lidar"), requirement, false)));
   }
 
   @Test
