@@ -26,7 +26,7 @@ def make(folder, name):
     (built,) = (PRODUCT / "repository/plugins").glob(f"{BUNDLE}_*.jar")
     bundle = f"{version}.sample"
     with_version(built, sources / f"plugins/{BUNDLE}_{bundle}.jar", bundle)
-    text = (HERE / "feature.xml").read_text(encoding="utf-8")
+    text = (HERE / "feature.xml.in").read_text(encoding="utf-8")
     for word, value in {"id": feature, "label": label, "version": version, "bundle": bundle, "needs": needs}.items():
         text = text.replace(f"@{word}@", value)
     with zipfile.ZipFile(sources / f"features/{feature}_{version}.jar", "w") as jar:

@@ -22,7 +22,8 @@ import org.robotui.install.InstallListener;
  * its classes are read. They are uninstalled with the end of the application: the framework keeps nothing of them.
  */
 final class BundleFolder implements AutoCloseable {
-  private static final String REFERENCE = "reference:";
+  /** By this the framework knows bundles of the folder, also those of other processes that share what it keeps. */
+  private static final String LOCATION = "robotui-bundles:";
 
   private final Path folder;
   private final Path copies;
@@ -38,11 +39,11 @@ final class BundleFolder implements AutoCloseable {
     this.listener = listener;
   }
 
-  /** Forgets what a run that was killed has left. */
+  /** Forgets what a killed run has left, and what another one has now: the framework keeps one list for all. */
   void clear() throws InterruptedException {
     List<Bundle> left = new ArrayList<>();
     for (Bundle bundle : framework.all()) {
-      if (bundle.getLocation().startsWith(REFERENCE + copies.toUri())) {
+      if (bundle.getLocation().startsWith(LOCATION)) {
         uninstall(bundle);
         left.add(bundle);
       }
@@ -108,7 +109,7 @@ final class BundleFolder implements AutoCloseable {
   }
 
   private void install(FolderBundle entry, Path copy, List<Bundle> replaced)
-      throws BundleJar.Unusable, BundleException {
+      throws BundleJar.Unusable, BundleException, IOException {
     BundleJar jar = BundleJar.read(copy);
     Optional<Bundle> other = framework.other(jar.name(), entry.bundle());
     if (other.isPresent()) {
@@ -117,7 +118,7 @@ final class BundleFolder implements AutoCloseable {
           + " is installed already: remove one of them");
     }
     end(entry, replaced);
-    entry.installed(framework.install(REFERENCE + copy.toUri()), copy);
+    entry.installed(framework.install(LOCATION + copy, copy), copy);
   }
 
   private void end(FolderBundle entry, List<Bundle> replaced) {

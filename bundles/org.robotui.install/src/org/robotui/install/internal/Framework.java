@@ -1,5 +1,9 @@
 package org.robotui.install.internal;
 
+import java.io.IOException;
+import java.io.InputStream;
+import java.net.URI;
+import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Collection;
 import java.util.Optional;
@@ -42,8 +46,11 @@ final class Framework {
     return context.getBundles();
   }
 
-  Bundle install(String location) throws BundleException {
-    return context.installBundle(location);
+  /** Installs a jar that the framework reads where it lies, under a location of our own. */
+  Bundle install(String location, Path jar) throws BundleException, IOException {
+    try (InputStream reference = URI.create("reference:" + jar.toUri()).toURL().openStream()) {
+      return context.installBundle(location, reference);
+    }
   }
 
   /** Starts what is not running; a fragment has nothing to start. Where it cannot be, says why. */

@@ -116,7 +116,7 @@ final class P2Work implements AutoCloseable {
   }
 
   private static Optional<String> text(IInstallableUnit unit, String property) {
-    return Optional.ofNullable(unit.getProperty(property, null)).filter(text -> !text.startsWith("%"));
+    return Optional.ofNullable(unit.getProperty(property, null));
   }
 
   /** What has come and gone between two states, in sentences. */

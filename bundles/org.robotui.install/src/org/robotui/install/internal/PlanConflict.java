@@ -86,7 +86,7 @@ final class PlanConflict {
 
   private static String name(IInstallableUnit unit) {
     String name = unit.getProperty(IInstallableUnit.PROP_NAME, null);
-    return (name == null || name.startsWith("%") ? unit.getId().replace(FEATURE, "") : name) + " " + unit.getVersion();
+    return (name == null ? unit.getId().replace(FEATURE, "") : name) + " " + unit.getVersion();
   }
 
   /** What p2 says itself, of that the most special. */
