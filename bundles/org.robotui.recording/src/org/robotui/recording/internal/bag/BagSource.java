@@ -1,0 +1,108 @@
+package org.robotui.recording.internal.bag;
+
+import java.nio.ByteBuffer;
+import org.robotui.recording.RecordedAttachment;
+import org.robotui.recording.RecordingException;
+import org.robotui.recording.internal.chunk.ChunkRef;
+import org.robotui.recording.internal.chunk.ChunkSource;
+import org.robotui.recording.internal.chunk.DamageList;
+import org.robotui.recording.internal.chunk.EntryTable;
+import org.robotui.recording.internal.chunk.LoadedChunk;
+import org.robotui.recording.internal.codec.ChunkDecoder;
+import org.robotui.recording.internal.codec.Decoded;
+import org.robotui.recording.internal.io.ByteWindow;
+import org.robotui.recording.internal.io.FileBytes;
+import org.robotui.recording.internal.io.MalformedRecord;
+import org.robotui.recording.internal.io.PackedFields;
+
+/** Reads chunks of bags. */
+final class BagSource implements ChunkSource {
+
+  private final FileBytes file;
+  private final BagConnections connections;
+  private final DamageList damages;
+  private final ChunkDecoder decoder = new ChunkDecoder();
+
+  BagSource(FileBytes file, BagConnections connections, DamageList damages) {
+    this.file = file;
+    this.connections = connections;
+    this.damages = damages;
+  }
+
+  @Override
+  public LoadedChunk load(ChunkRef ref) throws RecordingException {
+    try {
+      LoadedChunk chunk = load(ref.offset(), BagRecord.at(ref.offset(), file, new ByteWindow(file)));
+      if (chunk.size() > 0 && (chunk.logTime(0) < ref.start() || chunk.logTime(chunk.size() - 1) > ref.end())) {
+        damages.add(ref.offset(), "a chunk has messages of other times than the index says: their order is not sure");
+      }
+      return chunk;
+    } catch (MalformedRecord e) {
+      damages.add(ref.offset(), "there is no chunk where the index has one: " + e.getMessage());
+      return new EntryTable().over(new byte[0]);
+    }
+  }
+
+  LoadedChunk load(long offset, BagRecord record) throws RecordingException, MalformedRecord {
+    if (record.header().op() != BagFields.CHUNK) {
+      throw new MalformedRecord("there is a record of the kind " + record.header().op());
+    }
+    String compression = record.header().needText("compression");
+    long plain = record.header().u32("size") & 0xffff_ffffL;
+    if (!decoder.knows(compression)) {
+      throw new MalformedRecord("it is compressed by '" + compression + "', which is not known here");
+    }
+    if (Math.max(plain, record.length()) > ChunkDecoder.MOST_BYTES) {
+      throw new MalformedRecord("it has " + Math.max(plain, record.length()) + " bytes, more than the "
+          + ChunkDecoder.MOST_BYTES + " that are read");
+    }
+    int there = (int) Math.min(record.length(), file.size() - record.data());
+    Decoded decoded = decoder.decode(compression, file.read(record.data(), there), 0, there, (int) plain);
+    if (there < record.length()) {
+      damages.add(offset, "the file ends in a chunk, " + (record.length() - there) + " bytes early");
+    } else {
+      decoded.problem().ifPresent(problem -> damages.add(offset,
+          "a chunk is not whole, so that only messages before the damage were read: " + problem));
+    }
+    return records(offset, decoded.bytes(), decoded.length());
+  }
+
+  private LoadedChunk records(long offset, byte[] bytes, int length) {
+    EntryTable entries = new EntryTable();
+    PackedFields fields = new PackedFields(bytes, 0, length);
+    try {
+      while (fields.hasMore()) {
+        BagFields header = new BagFields(fields.part("the header of a record"));
+        long size = fields.u32("the length of a record");
+        int from = fields.skip(size, "the data of a record");
+        record(header, bytes, from, (int) size, entries, offset);
+      }
+    } catch (MalformedRecord e) {
+      damages.add(offset, "what follows in a chunk was left out: " + e.getMessage());
+    }
+    return entries.over(bytes);
+  }
+
+  private void record(BagFields header, byte[] bytes, int from, int size, EntryTable entries, long offset) {
+    try {
+      int op = header.op();
+      if (op == BagFields.CONNECTION) {
+        connections.add(header, new PackedFields(bytes, from, from + size));
+      } else if (op == BagFields.MESSAGE) {
+        int connection = header.u32("conn");
+        if (!connections.knows(connection)) {
+          throw new MalformedRecord("a message is of connection " + connection + ", which the bag does not describe");
+        }
+        long time = header.time("time");
+        entries.add(connection, time, time, 0, from, size);
+      }
+    } catch (MalformedRecord e) {
+      damages.add(offset, "a record in a chunk was left out: " + e.getMessage());
+    }
+  }
+
+  @Override
+  public ByteBuffer content(RecordedAttachment attachment) throws RecordingException {
+    throw new RecordingException(file.path(), attachment.offset(), "bags have no attachments");
+  }
+}

@@ -1,0 +1,36 @@
+package org.robotui.recording.internal.chunk;
+
+import java.util.Iterator;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import org.robotui.recording.RecordingException;
+
+/** The chunks that were used last, as many as fit into a bounded memory. Any thread may use it. */
+final class ChunkCache {
+
+  private static final long MOST_BYTES = 64L << 20;
+
+  private final ChunkSource source;
+  private final Map<ChunkRef, LoadedChunk> chunks = new LinkedHashMap<>(16, 0.75f, true);
+  private long bytes;
+
+  ChunkCache(ChunkSource source) {
+    this.source = source;
+  }
+
+  /** One is read at a time: two at once would need the memory of both. */
+  synchronized LoadedChunk get(ChunkRef ref) throws RecordingException {
+    LoadedChunk there = chunks.get(ref);
+    if (there != null) {
+      return there;
+    }
+    LoadedChunk loaded = source.load(ref);
+    bytes += loaded.cost();
+    for (Iterator<LoadedChunk> oldest = chunks.values().iterator(); bytes > MOST_BYTES && oldest.hasNext();) {
+      bytes -= oldest.next().cost();
+      oldest.remove();
+    }
+    chunks.put(ref, loaded);
+    return loaded;
+  }
+}

@@ -1,0 +1,15 @@
+package org.robotui.recording.internal.chunk;
+
+import java.nio.ByteBuffer;
+import org.robotui.recording.RecordedAttachment;
+import org.robotui.recording.RecordingException;
+
+/** Reads from a file of some format what its index tells of. */
+public interface ChunkSource {
+
+  /** The messages of a chunk; of a damaged one those that are whole. It tells the damage. */
+  LoadedChunk load(ChunkRef chunk) throws RecordingException;
+
+  /** The bytes of a file that lies in the recording. */
+  ByteBuffer content(RecordedAttachment attachment) throws RecordingException;
+}

@@ -1,0 +1,25 @@
+# Recordings: what is in them, whether they are whole, whole copies of them. No OSGi is needed: the bundles are plain jars.
+
+readonly LOG_JVM=(-XX:+UseSerialGC -XX:TieredStopAtLevel=1 --enable-native-access=ALL-UNNAMED -Dslf4j.internal.verbosity=ERROR)
+
+help_log() {
+  cat <<'TEXT'
+  ./robotui log info FILE       print what is in a recording (MCAP, bag of ROS 1): times, channels, counts, files, notes
+  ./robotui log check FILE      read all of it, and print what is damaged and where. 0: nothing, 1: something, 2: it cannot be read
+      --json                    with info and check: one line for programs
+  ./robotui log repair FILE NEW    write what can be read of it as a whole MCAP file
+  ./robotui log convert FILE NEW   write a bag as MCAP
+      --compression C           with repair and convert: none, lz4 or zstd (default)
+TEXT
+}
+
+cmd_log() {
+  local bundle jar jars=()
+  need_product
+  for bundle in org.robotui.recording com.github.luben.zstd-jni lz4-java org.apache.commons.commons-compress org.apache.commons.commons-io slf4j.api; do
+    jar=$(jar_of "$bundle")
+    [[ -n $jar ]] || fail "recordings need the feature 'RobotUI recordings', which is not installed"
+    jars+=("$jar")
+  done
+  exec "$JAVA_HOME/bin/java" "${LOG_JVM[@]}" -cp "$(IFS=:; printf '%s' "${jars[*]}")" org.robotui.recording.internal.tool.LogTool "$@"
+}
