@@ -12,6 +12,7 @@ import org.osgi.framework.FrameworkUtil;
 import org.osgi.framework.startlevel.FrameworkStartLevel;
 import org.osgi.util.tracker.ServiceTracker;
 import org.robotui.api.host.Host;
+import org.robotui.api.script.Scripts;
 import org.slf4j.LoggerFactory;
 
 /**
@@ -55,6 +56,11 @@ public final class WorkbenchServices {
   /** The engine of style sheets. */
   public static Optional<IThemeManager> themes() {
     return service(IThemeManager.class);
+  }
+
+  /** What runs scripts. */
+  static Optional<Scripts> scripts() {
+    return service(Scripts.class);
   }
 
   private static <S> Optional<S> service(Class<S> type) {

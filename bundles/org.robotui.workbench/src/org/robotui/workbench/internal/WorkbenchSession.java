@@ -261,7 +261,8 @@ public final class WorkbenchSession {
     loaders.forEach(Runnable::run);
   }
 
-  private void later(Runnable task) {
+  /** Runs a task on the display thread, later. */
+  void later(Runnable task) {
     if (!display.isDisposed()) {
       display.asyncExec(task);
     }
