@@ -1,6 +1,8 @@
 package org.robotui.api.script;
 
-/** A function of the script, given to one of ours. To be called on the thread of the script only, before ours returns. */
+/**
+ * A function of the script, given to one of ours. To be called on the thread of the script only, before ours returns.
+ */
 @FunctionalInterface
 public interface ScriptCallback {
   /**

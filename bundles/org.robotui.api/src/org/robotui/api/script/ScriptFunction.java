@@ -61,8 +61,8 @@ public record ScriptFunction(String name, List<Parameter> parameters, String hel
   /**
    * A function of which the signature is written as users read it.
    *
-   * @param signature for example {@code drive(forward, turn, seconds, port?)}; a question mark says that a parameter may
-   * be left out
+   * @param signature for example {@code drive(forward, turn, seconds, port?)}; a question mark says that a parameter
+   * may be left out
    * @param help a sentence
    * @param returns what it gives
    * @param body does it

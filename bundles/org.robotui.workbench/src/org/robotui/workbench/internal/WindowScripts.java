@@ -45,7 +45,9 @@ final class WindowScripts implements AutoCloseable {
     return Optional.of(scripts);
   }
 
-  /** Told of failures with {@code alert}, and that the script wants the workbench to end with {@code exit}: any thread. */
+  /**
+   * Told of failures with {@code alert}, and that the script wants the workbench to end with {@code exit}: any thread.
+   */
   WindowScripts(Arguments arguments, Consumer<String> alert, IntConsumer exit) {
     this.arguments = arguments;
     this.alert = alert;
@@ -60,11 +62,11 @@ final class WindowScripts implements AutoCloseable {
   }
 
   private void begin(Scripts scripts) {
-      if (arguments.scriptSocket()) {
-        door = scripts.listen(UserFolder.sockets(UserFolder.state(System.getProperties(), System.getenv())));
-        door.ifPresent(d -> System.err.println("scripts may come by " + d.file()));
-      }
-      arguments.script().ifPresent(file -> run(scripts, file));
+    if (arguments.scriptSocket()) {
+      door = scripts.listen(UserFolder.sockets(UserFolder.state(System.getProperties(), System.getenv())));
+      door.ifPresent(d -> System.err.println("scripts may come by " + d.file()));
+    }
+    arguments.script().ifPresent(file -> run(scripts, file));
   }
 
   private void run(Scripts scripts, Path file) {

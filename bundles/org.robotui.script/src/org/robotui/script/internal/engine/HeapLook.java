@@ -6,7 +6,9 @@ import java.lang.management.MemoryType;
 import java.lang.management.MemoryUsage;
 import java.util.List;
 
-/** Whether the memory is used up by what is still needed: as it was after the last collection, so that garbage is none. */
+/**
+ * Whether the memory is used up by what is still needed: as it was after the last collection, so that garbage is none.
+ */
 class HeapLook {
   private static final double FULL = 0.9;
 

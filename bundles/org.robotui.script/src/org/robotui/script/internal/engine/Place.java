@@ -30,7 +30,9 @@ record Place(String source, int line) {
     return stack.length == 0 ? UNKNOWN : outer(stack[0].fileName, Math.max(0, stack[0].lineNumber));
   }
 
-  /** What a script makes itself, the engine calls {@code patrol.js#12(eval)}: to users that is the line of its maker. */
+  /**
+   * What a script makes itself, the engine calls {@code patrol.js#12(eval)}: to users that is the line of its maker.
+   */
   private static Place outer(String name, int line) {
     Matcher made = MADE.matcher(name);
     return made.matches() ? new Place(made.group(1), Integer.parseInt(made.group(2))) : new Place(name, line);

@@ -19,7 +19,8 @@ public final class PlainText {
     PlainText made = new PlainText();
     made.value(value);
     return made.text.length() > LONGEST
-        ? made.text.substring(0, LONGEST) + "\u2026 (cut after " + LONGEST + " characters)" : made.text.toString();
+        ? made.text.substring(0, LONGEST) + "\u2026 (cut after " + LONGEST + " characters)"
+        : made.text.toString();
   }
 
   private void value(Object value) {
@@ -65,7 +66,8 @@ public final class PlainText {
   }
 
   private void quoted(String words) {
-    text.append('"').append(ScriptRuntime.escapeString(words.length() > LONGEST ? words.substring(0, LONGEST + 1) : words))
+    text.append('"')
+        .append(ScriptRuntime.escapeString(words.length() > LONGEST ? words.substring(0, LONGEST + 1) : words))
         .append('"');
   }
 }

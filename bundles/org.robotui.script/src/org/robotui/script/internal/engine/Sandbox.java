@@ -56,7 +56,7 @@ final class Sandbox extends ContextFactory {
     ScriptableObject objects = context.initSafeStandardObjects();
     Scriptable text = (Scriptable) ScriptableObject.getProperty(
         (Scriptable) ScriptableObject.getProperty(objects, "String"), "prototype");
-    for (String name : new String[] {"repeat", "padStart", "padEnd"}) {
+    for (String name : new String[]{"repeat", "padStart", "padEnd"}) {
       Callable usual = (Callable) ScriptableObject.getProperty(text, name);
       ScriptableObject.putProperty(text, name, new BoundedText(objects, name, usual));
     }

@@ -35,7 +35,8 @@ final class PortFunctions {
             "Reads the newest value of a stream, in SI units; waits up to 3 s for the first one. help(\"Odometry\") says"
                 + " what its fields mean.",
             "an object with the fields of the type", PortFunctions::value),
-        ScriptFunction.of("message(port, ui?)", "Reads the newest message of a stream with the names that the robot gives.",
+        ScriptFunction.of("message(port, ui?)",
+            "Reads the newest message of a stream with the names that the robot gives.",
             "an object", call -> newest(call).record()),
         ScriptFunction.of("age(port, ui?)", "Says how old the newest value of a stream is.", "seconds",
             call -> newest(call).ageSeconds(System.nanoTime())),

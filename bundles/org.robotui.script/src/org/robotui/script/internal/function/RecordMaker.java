@@ -88,8 +88,10 @@ record RecordMaker(String robot) {
     if (raw.isAssignableFrom(List.class) || raw == List.class) {
       return List.of();
     }
-    return raw == Set.class ? Set.of() : raw == Map.class ? Map.of() : raw == FrameId.class ? new FrameId(robot, "")
-        : record(raw, Map.of(), path);
+    return raw == Set.class ? Set.of()
+        : raw == Map.class ? Map.of()
+            : raw == FrameId.class ? new FrameId(robot, "")
+                : record(raw, Map.of(), path);
   }
 
   /** What the type itself has for nothing. */
@@ -186,8 +188,9 @@ record RecordMaker(String robot) {
   }
 
   private static Class<?> raw(Type type) {
-    return type instanceof ParameterizedType p ? (Class<?>) p.getRawType() : type instanceof Class<?> c ? c
-        : Object.class;
+    return type instanceof ParameterizedType p ? (Class<?>) p.getRawType()
+        : type instanceof Class<?> c ? c
+            : Object.class;
   }
 
   private static Type argument(Type type, int index) {

@@ -50,7 +50,8 @@ class SandboxTest {
   @ValueSource(strings = {"while (true) {}", "eval('for (;;) {}')", "new Function('for (;;) ;')()",
       "while (true) { try { while (true) {} } catch (e) {} }", "try { for (;;) {} } finally { for (;;) {} }",
       "[3, 2, 1].sort(() => { for (;;) {} })", "'aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaab'.match(/^(a+)+$/)",
-      "while (true) { uis(); }", "waitFor(() => { while (true) {} })", "function* g() { for (;;) yield 1; } for (let x of g()) {}",
+      "while (true) { uis(); }", "waitFor(() => { while (true) {} })",
+      "function* g() { for (;;) yield 1; } for (let x of g()) {}",
       "var o = {get x() { for (;;) {} }}; o.x", "var o = {get x() { for (;;) {} }}; o"})
   void anEndlessLoopIsStopped(String script) {
     try (Console console = new Console(Duration.ofMillis(300), new HeapLook())) {

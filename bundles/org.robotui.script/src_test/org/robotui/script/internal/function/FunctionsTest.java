@@ -74,7 +74,8 @@ class FunctionsTest {
     natalie.ports().put(BATTERY, charged(0.8));
     assertEquals(12.5, console.value("value('base.battery').voltage"));
     assertEquals("DISCHARGING", console.value("value('base.battery').status"));
-    assertEquals(List.of("voltage", "current", "charge", "status"), console.value("Object.keys(value('base.battery'))"));
+    assertEquals(List.of("voltage", "current", "charge", "status"),
+        console.value("Object.keys(value('base.battery'))"));
     assertEquals("{\"voltage\":12.5,\"current\":-1,\"charge\":0.8,\"status\":\"DISCHARGING\"}",
         console.value("JSON.stringify(value('base.battery'))"));
     assertEquals(true, console.value("age('base.battery') < 60"));
@@ -166,10 +167,12 @@ class FunctionsTest {
 
   @Test
   void sendsCommandsOfAnyType() {
-    console.run("takeControl(); send('base.goal', {frame: 'map', pose: {translation: {x: 2}, rotation: {yaw: Math.PI}}})");
+    console
+        .run("takeControl(); send('base.goal', {frame: 'map', pose: {translation: {x: 2}, rotation: {yaw: Math.PI}}})");
     String sent = natalie.ports().sent().getLast();
     assertTrue(sent.startsWith("base.goal NavigationGoal[frame=Natalie:map") && sent.contains("x=2.0"), sent);
-    assertTrue(console.failure("send('base.goal', {place: 'map'})").contains("has no field 'place'; it has frame, pose"));
+    assertTrue(
+        console.failure("send('base.goal', {place: 'map'})").contains("has no field 'place'; it has frame, pose"));
     assertTrue(console.failure("send('base.cmd_vel', {linear: {x: 'fast'}})").contains("linear.x must be a number"));
     assertTrue(console.failure("send('base.cmd_vel', {linear: {x: NaN}})").contains("finite"));
     assertTrue(console.failure("send('base.nothing', {})").contains("no command base.nothing"));

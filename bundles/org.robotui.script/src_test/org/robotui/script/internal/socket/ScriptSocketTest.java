@@ -83,7 +83,8 @@ class ScriptSocketTest {
       assertEquals("{\"id\":7,\"value\":3.0,\"text\":\"3\"}", client.ask("{\"id\":7,\"run\":\"var a = 1; a + 2\"}"));
       assertEquals("{\"id\":8,\"value\":[1.0,null,{\"b\":\"c\"}],\"text\":\"[1, null, {b: \\\"c\\\"}]\"}",
           client.ask("{\"id\":8,\"run\":\"[a, null, {b: 'c'}]\"}"));
-      assertEquals("{\"id\":9,\"error\":\"ReferenceError: \\\"nothing\\\" is not defined.\",\"source\":\"cell\",\"line\":2}",
+      assertEquals(
+          "{\"id\":9,\"error\":\"ReferenceError: \\\"nothing\\\" is not defined.\",\"source\":\"cell\",\"line\":2}",
           client.ask("{\"id\":9,\"name\":\"cell\",\"run\":\"1\\nnothing\"}"));
       assertEquals("{\"id\":10,\"exit\":4}", client.ask("{\"id\":10,\"run\":\"exit(4)\"}"));
       assertTrue(client.ask("{\"id\":11,\"run\":\"print('hello')\"}").contains("\"print\":\"hello\""));
