@@ -29,6 +29,12 @@ parse_run_options() {
     case $1 in
       --text) [[ $mode == json ]] || mode=text ;;
       --json) mode=json ;;
+      --script)
+        [[ -f ${2:-} ]] || usage_error "--script needs a file that is there"
+        options+=(-script "$(realpath "$2")")
+        shift
+        ;;
+      --script-socket) options+=(-scriptsocket) ;;
       --stay) stay=yes ;;
       --watch) watch=yes ;;
       --show) [[ -n ${2:-} ]] || usage_error "--show needs the name of a robot UI"; text_options+=(-show "$2"); shift ;;

@@ -7,6 +7,8 @@ help_use() {
       --json                    JSON lines instead: one per port and second
       --show NAME               with --text or --json: also this robot UI, which starts only when it is shown
       --watch                   with --text or --json: take up what is changed in the files (the window always does, and asks)
+      --script FILE             run this script (docs/scripting.md); with --text, end with it and its exit code
+      --script-socket           let other programs of this user run scripts, such as tools/python/robotui.py
       --for SECONDS             end by itself
       --screenshot FILE         save the window's picture ...
       --after SECONDS           ... this long after the start

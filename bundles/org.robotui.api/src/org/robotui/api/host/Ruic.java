@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletionStage;
 import org.robotui.api.Uic;
+import org.robotui.api.command.Principal;
 import org.robotui.api.layout.Layout;
 
 /** A RUIC as an application handles it. Methods return at once; work is done on core's workers. */
@@ -69,6 +70,14 @@ public interface Ruic extends RuicView {
    * @param reason a sentence
    */
   void surfaceFailed(String id, String reason);
+
+  /**
+   * The ports of its robot interfaces for a program that is no view.
+   *
+   * @param principal as whom the program gives commands
+   * @return access until it is closed
+   */
+  PortAccess access(Principal principal);
 
   /**
    * How its robot interfaces are configured now.

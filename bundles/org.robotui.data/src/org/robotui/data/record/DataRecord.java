@@ -41,7 +41,13 @@ public final class DataRecord implements DynamicRecord {
     };
   }
 
-  static DynamicRecord ofRecord(Record value) {
+  /**
+   * Sees a Java record that is no data type, such as the reply of a call, as a record with fields.
+   *
+   * @param value any record
+   * @return its fields
+   */
+  public static DynamicRecord ofRecord(Record value) {
     return new DataRecord(value);
   }
 

@@ -21,24 +21,34 @@ import org.robotui.api.input.Numerals;
  * @param reuse with a check: print the matrix of what is used by which RUIC, {@code md} or {@code csv}
  * @param shown names of RUICs that are shown though they start only when they are shown
  * @param watch true to take up what is changed in the files
+ * @param script a script to run in place of showing anything
+ * @param scriptSocket true to let other programs run scripts
  */
 record Arguments(
     List<Path> configurations, boolean json, Optional<Duration> limit, Optional<Path> check, Optional<Duration> live,
     Set<String> shown,
-    boolean watch, Optional<String> reuse) {
+    boolean watch, Optional<String> reuse, Optional<Path> script, boolean scriptSocket) {
   static final String USAGE = """
       -config FILE...   load these configurations
       -json             print a JSON line per port and second in place of the text views
       -for SECONDS      end by itself
       -show NAME        also show this robot UI, which starts only when it is shown; may be given several times
+      -script FILE      run this script in place of showing anything, and end with it; see docs/scripting.md
+      -scriptsocket     let other programs of this user run scripts, until the end
       -watch            take up what is changed in the files while they run; see docs/exchange.md
       -check FILE       check a configuration and print what would be connected
       -live SECONDS     with -check: connect to the robots, and wait at most so long for what they have
       -reuse md|csv     with -check: print which bundles are used by which robot UI
-      exit codes: 0 fine, 1 errors in a configuration, 2 a file cannot be read, 3 wrong arguments, 4 the core did not start
+      exit codes: 0 fine, 1 errors in a configuration, 2 a file cannot be read, 3 wrong arguments, 4 the core did not start,
+        5 the script failed or was stopped; what a script gives to exit() is the code itself
       """;
 
   private static final double MOST_SECONDS = 1e9;
+
+  /** Whether something must be there that runs scripts. */
+  boolean usesScripts() {
+    return scriptSocket || script.isPresent();
+  }
 
   /** Wrong arguments, with a sentence for users. */
   static final class Wrong extends Exception {
@@ -60,6 +70,8 @@ record Arguments(
     private final Set<String> shown = new LinkedHashSet<>();
     private boolean json;
     private boolean watch;
+    private boolean scriptSocket;
+    private Optional<Path> script = Optional.empty();
     private Optional<String> reuse = Optional.empty();
     private Optional<Duration> limit = Optional.empty();
     private Optional<Path> check = Optional.empty();
@@ -74,7 +86,8 @@ record Arguments(
       while (at < words.size()) {
         option(words.get(at++));
       }
-      return new Arguments(List.copyOf(configurations), json, limit, check, live, Set.copyOf(shown), watch, reuse);
+      return new Arguments(List.copyOf(configurations), json, limit, check, live, Set.copyOf(shown), watch, reuse,
+          script, scriptSocket);
     }
 
     private void option(String word) throws Wrong {
@@ -84,6 +97,8 @@ record Arguments(
         case "-reuse" -> reuse = Optional.of(oneOf(word, List.of("md", "csv")));
         case "-show" -> shown.add(value(word));
         case "-watch" -> watch = true;
+        case "-script" -> script = Optional.of(Path.of(value(word)));
+        case "-scriptsocket" -> scriptSocket = true;
         case "-for" -> limit = Optional.of(seconds(word, value(word)));
         case "-live" -> live = Optional.of(seconds(word, value(word)));
         case "-check" -> check = Optional.of(Path.of(value(word)));

@@ -6,8 +6,8 @@ import org.osgi.framework.BundleContext;
 import org.osgi.util.tracker.ServiceTracker;
 
 /**
- * The core, or the installer. An application is made by the extension registry, which injects nothing: this is the one
- * place that asks for a service.
+ * A service that the application needs: the core, the installer, what runs scripts. An application is made by the
+ * extension registry, which injects nothing: this is the one place that asks for services.
  */
 final class AwaitedService<S> implements AutoCloseable {
   private final ServiceTracker<S, S> tracker;

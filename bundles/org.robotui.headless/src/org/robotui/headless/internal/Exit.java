@@ -11,7 +11,9 @@ enum Exit {
   /** An argument is wrong. */
   USAGE(3),
   /** The core did not start. */
-  NO_CORE(4);
+  NO_CORE(4),
+  /** A script failed, or was stopped. */
+  SCRIPT(5);
 
   private final int code;
 

@@ -14,6 +14,7 @@ import org.eclipse.equinox.app.IApplication;
 import org.eclipse.equinox.app.IApplicationContext;
 import org.osgi.framework.FrameworkUtil;
 import org.robotui.api.host.Host;
+import org.robotui.api.script.Scripts;
 import org.robotui.install.FeatureInstaller;
 
 /** The application without a window: shows robots in a terminal or as JSON lines, or checks a configuration. */
@@ -30,7 +31,7 @@ public final class HeadlessApplication implements IApplication {
     String[] words = (String[]) context.getArguments().get(IApplicationContext.APPLICATION_ARGS);
     context.applicationRunning();
     try {
-      return run(Arrays.asList(words)).code();
+      return run(Arrays.asList(words));
     } catch (Arguments.Wrong e) {
       err.println(e.getMessage());
       err.print(Arguments.USAGE);
@@ -49,7 +50,7 @@ public final class HeadlessApplication implements IApplication {
     stop.countDown();
   }
 
-  private Exit run(List<String> words) throws Arguments.Wrong, InterruptedException {
+  private int run(List<String> words) throws Arguments.Wrong, InterruptedException {
     if (words.contains("-new")) {
       return compose(NewArguments.parse(words));
     }
@@ -58,53 +59,50 @@ public final class HeadlessApplication implements IApplication {
         : run(Arguments.parse(words.toArray(String[]::new)));
   }
 
-  private Exit change(FeatureArguments wanted) throws InterruptedException {
-    try (AwaitedService<FeatureInstaller> service = service(FeatureInstaller.class)) {
-      Optional<FeatureInstaller> installer = service.await(CORE_LIMIT);
-      if (installer.isEmpty()) {
-        err.println("the installer did not start within " + CORE_LIMIT.toSeconds() + " s");
-        return Exit.NO_CORE;
+  private int change(FeatureArguments wanted) throws InterruptedException {
+    BufferedReader answers = new BufferedReader(new InputStreamReader(System.in, Charset.defaultCharset()));
+    return with(FeatureInstaller.class, "the installer",
+        installer -> new FeatureRun(installer, out, err, answers).run(wanted).code());
+  }
+
+  private int compose(NewArguments wanted) throws InterruptedException {
+    return with(Host.class, "the core", host -> new NewRun(host, out, err).run(wanted).code());
+  }
+
+  private int run(Arguments arguments) throws InterruptedException {
+    return with(Host.class, "the core", host -> run(host, arguments));
+  }
+
+  /** What is done with a service; answers the exit code. */
+  private interface Task<S> {
+    int run(S service) throws InterruptedException;
+  }
+
+  private <S> int with(Class<S> type, String what, Task<S> task) throws InterruptedException {
+    try (AwaitedService<S> awaited =
+        new AwaitedService<>(FrameworkUtil.getBundle(getClass()).getBundleContext(), type)) {
+      Optional<S> service = awaited.await(CORE_LIMIT);
+      if (service.isEmpty()) {
+        err.println(what + " did not start within " + CORE_LIMIT.toSeconds() + " s");
+        return Exit.NO_CORE.code();
       }
-      BufferedReader answers = new BufferedReader(new InputStreamReader(System.in, Charset.defaultCharset()));
-      return new FeatureRun(installer.get(), out, err, answers).run(wanted);
+      return task.run(service.get());
     }
   }
 
-  private <S> AwaitedService<S> service(Class<S> type) {
-    return new AwaitedService<>(FrameworkUtil.getBundle(getClass()).getBundleContext(), type);
-  }
-
-  private Exit compose(NewArguments wanted) throws InterruptedException {
-    return withHost(host -> new NewRun(host, out, err).run(wanted));
-  }
-
-  private Exit run(Arguments arguments) throws InterruptedException {
-    return withHost(host -> run(host, arguments));
-  }
-
-  /** What is done with the core. */
-  private interface Task {
-    Exit run(Host host) throws InterruptedException;
-  }
-
-  private Exit withHost(Task task) throws InterruptedException {
-    try (AwaitedService<Host> service = service(Host.class)) {
-      Optional<Host> host = service.await(CORE_LIMIT);
-      if (host.isEmpty()) {
-        err.println("the core did not start within " + CORE_LIMIT.toSeconds() + " s");
-        return Exit.NO_CORE;
-      }
-      return task.run(host.get());
-    }
-  }
-
-  private Exit run(Host host, Arguments arguments) throws InterruptedException {
+  private int run(Host host, Arguments arguments) throws InterruptedException {
     if (arguments.check().isPresent()) {
-      return new CheckRun(host, out, err).check(arguments.check().get(), arguments.live(), arguments.reuse());
+      return new CheckRun(host, out, err).check(arguments.check().get(), arguments.live(), arguments.reuse()).code();
     }
     Thread hook = new Thread(() -> stopAndWait(host), "robotui-stop");
     Runtime.getRuntime().addShutdownHook(hook);
-    return new ShowRun(host, out, err, stop).show(arguments);
+    return arguments.usesScripts()
+        ? with(Scripts.class, "what runs scripts", scripts -> show(host, arguments, Optional.of(scripts)))
+        : show(host, arguments, Optional.empty());
+  }
+
+  private int show(Host host, Arguments arguments, Optional<Scripts> scripts) throws InterruptedException {
+    return new ShowRun(host, out, err, stop, scripts).show(arguments);
   }
 
   /** Ctrl-C and SIGTERM come here: the process lives until what we drive is stopped. */

@@ -11,9 +11,11 @@ import java.util.concurrent.TimeUnit;
 import org.robotui.api.UicType.Surface;
 import org.robotui.api.command.Principal;
 import org.robotui.api.config.Configuration;
+import org.robotui.api.config.UserFolder;
 import org.robotui.api.host.Host;
 import org.robotui.api.host.Problem;
 import org.robotui.api.host.Ruic;
+import org.robotui.api.script.Scripts;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -29,25 +31,41 @@ final class ShowRun {
   private final PrintStream out;
   private final PrintStream err;
   private final CountDownLatch stop;
+  private final Optional<Scripts> scripts;
 
-  ShowRun(Host host, PrintStream out, PrintStream err, CountDownLatch stop) {
+  ShowRun(Host host, PrintStream out, PrintStream err, CountDownLatch stop, Optional<Scripts> scripts) {
+    this.scripts = scripts;
     this.host = host;
     this.out = out;
     this.err = err;
     this.stop = stop;
   }
 
-  Exit show(Arguments arguments) throws InterruptedException {
+  /** Answers the exit code. */
+  int show(Arguments arguments) throws InterruptedException {
     host.open(Surface.TEXT, USER);
     try (Selector ignored = new Selector(host, arguments.shown())) {
       Exit loaded = load(arguments.configurations());
       sayWhatIsLeftOut(arguments.shown());
-      if (loaded == Exit.FINE || !host.ruics().isEmpty()) {
-        watch(arguments);
-      }
-      return loaded;
+      return loaded == Exit.FINE || !host.ruics().isEmpty() ? withDoor(arguments, loaded) : loaded.code();
     } finally {
       host.close(CLOSE_LIMIT).forEach(left -> LOG.warn("not ended in time: {}", left));
+    }
+  }
+
+  private int withDoor(Arguments arguments, Exit loaded) throws InterruptedException {
+    Optional<Scripts.Door> door =
+        scripts.filter(s -> arguments.scriptSocket()).flatMap(s -> s.listen(
+            UserFolder.sockets(UserFolder.state(System.getProperties(), System.getenv()))));
+    door.ifPresent(d -> err.println("scripts may come by " + d.file()));
+    try {
+      if (arguments.script().isPresent() && scripts.isPresent()) {
+        return new FileScript(scripts.get(), out, err, stop).run(arguments.script().get(), arguments.limit());
+      }
+      watch(arguments);
+      return loaded.code();
+    } finally {
+      door.ifPresent(Scripts.Door::close);
     }
   }
 

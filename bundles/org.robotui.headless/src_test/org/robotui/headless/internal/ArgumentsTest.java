@@ -24,7 +24,14 @@ class ArgumentsTest {
   @Test
   void withoutAnyItRunsAsTextWithoutEnd() throws Exception {
     assertEquals(new Arguments(List.of(), false, Optional.empty(), Optional.empty(), Optional.empty(), Set.of(), false,
-        Optional.empty()), Arguments.parse(new String[0]));
+        Optional.empty(), Optional.empty(), false), Arguments.parse(new String[0]));
+  }
+
+  @Test
+  void scriptsAreAskedFor() throws Exception {
+    Arguments read = Arguments.parse(new String[]{"-script", "patrol.js", "-scriptsocket"});
+    assertEquals(Optional.of(Path.of("patrol.js")), read.script());
+    assertTrue(read.scriptSocket() && read.usesScripts());
   }
 
   @Test

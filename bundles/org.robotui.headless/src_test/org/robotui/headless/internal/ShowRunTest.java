@@ -37,7 +37,7 @@ class ShowRunTest {
 
   @Test
   void endsByItselfAndClosesTheCore() throws Exception {
-    assertEquals(Exit.FINE, run(file, Optional.of(Duration.ofMillis(50))));
+    assertEquals(Exit.FINE.code(), run(file, Optional.of(Duration.ofMillis(50))));
 
     assertEquals(List.of("open TEXT", "load a.yaml", "close"), host.calls());
     assertEquals(List.of("select terminal/a"), ruic.calls());
@@ -62,14 +62,14 @@ class ShowRunTest {
   void endsWhenItIsStopped() throws Exception {
     stop.countDown();
 
-    assertEquals(Exit.FINE, run(file, Optional.empty()));
+    assertEquals(Exit.FINE.code(), run(file, Optional.empty()));
 
     assertEquals("close", host.calls().getLast());
   }
 
   @Test
   void aFileThatIsNotThereHasItsOwnExitCode() throws Exception {
-    assertEquals(Exit.UNREADABLE, run(folder.resolve("none.yaml"), Optional.of(Duration.ZERO)));
+    assertEquals(Exit.UNREADABLE.code(), run(folder.resolve("none.yaml"), Optional.of(Duration.ZERO)));
 
     assertTrue(err.toString(StandardCharsets.UTF_8).startsWith("there is no file "));
   }
@@ -78,16 +78,17 @@ class ShowRunTest {
   void errorsArePrintedAndTheOthersGoOn() throws Exception {
     host.finding(new Problem("a.yaml", 1, 2, Problem.Severity.ERROR, "wrong"));
 
-    assertEquals(Exit.ERRORS, run(file, Optional.of(Duration.ofMillis(20))));
+    assertEquals(Exit.ERRORS.code(), run(file, Optional.of(Duration.ofMillis(20))));
 
     assertEquals("a.yaml:1:2: error: wrong", err.toString(StandardCharsets.UTF_8).strip());
   }
 
-  private Exit run(Path config, Optional<Duration> limit, String... shown) throws InterruptedException {
+  private int run(Path config, Optional<Duration> limit, String... shown) throws InterruptedException {
     Set<String> names = Set.of(shown);
     Arguments arguments =
-        new Arguments(List.of(config), true, limit, Optional.empty(), Optional.empty(), names, false, Optional.empty());
-    return new ShowRun(host, print(out), print(err), stop).show(arguments);
+        new Arguments(List.of(config), true, limit, Optional.empty(), Optional.empty(), names, false, Optional.empty(),
+            Optional.empty(), false);
+    return new ShowRun(host, print(out), print(err), stop, Optional.empty()).show(arguments);
   }
 
   private static PrintStream print(ByteArrayOutputStream bytes) {

@@ -12,6 +12,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Function;
 import org.robotui.api.Uic;
 import org.robotui.api.command.Authority;
+import org.robotui.api.command.Principal;
 import org.robotui.api.host.ComponentStatus;
 import org.robotui.api.host.InterfaceConfig;
 import org.robotui.api.host.Match;
@@ -37,6 +38,7 @@ import org.robotui.testkit.FakeShowings;
 public final class FakeRuic implements Ruic {
   private final String name;
   private final FakeAuthority authority;
+  private final FakePortAccess access;
   private final Map<String, Uic> uics = new ConcurrentHashMap<>();
   private final Map<String, String> titles = new ConcurrentHashMap<>();
   private final FakeAlerts alerts = new FakeAlerts();
@@ -63,6 +65,7 @@ public final class FakeRuic implements Ruic {
   public FakeRuic(String name) {
     this.name = name;
     authority = new FakeAuthority(name);
+    access = new FakePortAccess(authority);
   }
 
   /**
@@ -327,6 +330,20 @@ public final class FakeRuic implements Ruic {
   public void surfaceFailed(String id, String why) {
     calls.add("surfaceFailed " + id);
     fail(id, why);
+  }
+
+  /**
+   * The ports that programs are given.
+   *
+   * @return always the same
+   */
+  public FakePortAccess ports() {
+    return access;
+  }
+
+  @Override
+  public FakePortAccess access(Principal principal) {
+    return access.as(principal);
   }
 
   @Override

@@ -18,9 +18,11 @@ import org.robotui.ui.Themes;
  * @param after how long to wait with the picture
  * @param theme how to look, this time
  * @param measure where to write how the window did
+ * @param script a script to run once the configurations are read
+ * @param scriptSocket whether other programs of this user may run scripts
  */
 public record Arguments(List<Path> configurations, Optional<Duration> limit, Optional<Path> screenshot, Duration after,
-    Optional<String> theme, Optional<Path> measure) {
+    Optional<String> theme, Optional<Path> measure, Optional<Path> script, boolean scriptSocket) {
   private static final double MOST_SECONDS = 1e6;
   private static final Duration USUAL_AFTER = Duration.ofSeconds(3);
 
@@ -53,6 +55,8 @@ public record Arguments(List<Path> configurations, Optional<Duration> limit, Opt
     private Duration after = USUAL_AFTER;
     private Optional<String> theme = Optional.empty();
     private Optional<Path> measure = Optional.empty();
+    private Optional<Path> script = Optional.empty();
+    private boolean scriptSocket;
     private int at;
 
     Parser(String... words) {
@@ -63,7 +67,8 @@ public record Arguments(List<Path> configurations, Optional<Duration> limit, Opt
       while (at < words.size()) {
         option(words.get(at++));
       }
-      return new Arguments(List.copyOf(configurations), limit, screenshot, after, theme, measure);
+      return new Arguments(List.copyOf(configurations), limit, screenshot, after, theme, measure, script,
+          scriptSocket);
     }
 
     private void option(String word) {
@@ -73,6 +78,8 @@ public record Arguments(List<Path> configurations, Optional<Duration> limit, Opt
         case "-after" -> after = seconds(word);
         case "-screenshot" -> screenshot = Optional.of(Path.of(value(word)));
         case "-measure" -> measure = Optional.of(Path.of(value(word)));
+        case "-script" -> script = Optional.of(Path.of(value(word)));
+        case "-scriptsocket" -> scriptSocket = true;
         case "-theme" -> theme = Optional.of(theme(value(word)));
         default -> {}
       }

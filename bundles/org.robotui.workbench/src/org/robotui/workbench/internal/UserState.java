@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.Properties;
 import org.robotui.api.config.AtomicFile;
+import org.robotui.api.config.UserFolder;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -26,10 +27,7 @@ public final class UserState {
 
   /** The folder of this user: a system property, else what the XDG base directories say. */
   public static Path usualFolder() {
-    return Optional.ofNullable(System.getProperty("robotui.state")).map(Path::of)
-        .or(() -> Optional.ofNullable(System.getenv("XDG_STATE_HOME")).filter(home -> home.startsWith("/"))
-            .map(home -> Path.of(home, "robotui")))
-        .orElseGet(() -> Path.of(System.getProperty("user.home"), ".local", "state", "robotui"));
+    return UserFolder.state(System.getProperties(), System.getenv());
   }
 
   /** A value, if it was kept. */

@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Predicate;
 import org.eclipse.core.runtime.ILog;
 import org.eclipse.core.runtime.IStatus;
@@ -146,6 +147,7 @@ public final class WorkbenchApplication implements IApplication {
     Runnable unheard = WorkbenchServices.listen(session::installed);
     Optional<Measurement> measurement =
         session.arguments().measure().map(file -> new Measurement(session.host(), display, file));
+    Optional<WindowScripts> scripts = Optional.empty();
     CountDownLatch ended = new CountDownLatch(1);
     Runtime.getRuntime().addShutdownHook(new Thread(() -> onSignal(session.host(), display, ended), "robotui-stop"));
     Optional<ErrorLog> errors =
@@ -153,10 +155,16 @@ public final class WorkbenchApplication implements IApplication {
     try (Heartbeat heartbeat = new Heartbeat(session.host(), display);
         StopKeys keys = new StopKeys(display, session::stop)) {
       RobotWorkbenchAdvisor advisor = new RobotWorkbenchAdvisor(session, heartbeat::begin);
+      AtomicInteger exit = new AtomicInteger(EXIT_OK);
+      scripts = WindowScripts.of(session, code -> {
+        exit.set(code);
+        display.asyncExec(PlatformUI.getWorkbench()::close);
+      });
       advisor.startRobots();
       int code = PlatformUI.createAndRunWorkbench(display, advisor);
-      return code == PlatformUI.RETURN_RESTART ? EXIT_RESTART : EXIT_OK;
+      return code == PlatformUI.RETURN_RESTART ? EXIT_RESTART : exit.get();
     } finally {
+      scripts.ifPresent(WindowScripts::close);
       measurement.ifPresent(Measurement::close);
       session.close();
       end(session.host(), display);

@@ -12,6 +12,7 @@ import org.osgi.framework.FrameworkUtil;
 import org.osgi.framework.startlevel.FrameworkStartLevel;
 import org.osgi.util.tracker.ServiceTracker;
 import org.robotui.api.host.Host;
+import org.robotui.api.script.Scripts;
 import org.robotui.install.FeatureInstaller;
 import org.robotui.install.InstallListener;
 import org.slf4j.LoggerFactory;
@@ -67,6 +68,11 @@ public final class WorkbenchServices {
   /** Has somebody told what bundles come and go by themselves; running the result ends that. */
   static Runnable listen(InstallListener listener) {
     return context().registerService(InstallListener.class, listener, null)::unregister;
+  }
+
+  /** What runs scripts. */
+  static Optional<Scripts> scripts() {
+    return service(Scripts.class);
   }
 
   private static <S> Optional<S> service(Class<S> type) {

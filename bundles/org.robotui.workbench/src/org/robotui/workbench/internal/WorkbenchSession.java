@@ -282,7 +282,8 @@ public final class WorkbenchSession {
     });
   }
 
-  private void later(Runnable task) {
+  /** Runs a task on the display thread, later. */
+  void later(Runnable task) {
     if (!display.isDisposed()) {
       display.asyncExec(task);
     }

@@ -3,9 +3,9 @@ package org.robotui.core.internal.host;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Properties;
 import java.util.zip.CRC32;
+import org.robotui.api.config.UserFolder;
 
 /**
  * Where core keeps what users changed.
@@ -15,11 +15,7 @@ import java.util.zip.CRC32;
 public record StateFolder(Path path) {
   /** The folder by the system property {@code robotui.state}, else that of the XDG base directory specification. */
   public static StateFolder of(Properties properties, Map<String, String> environment) {
-    Path home = Path.of(properties.getProperty("user.home", "."));
-    Path xdg = Optional.ofNullable(environment.get("XDG_STATE_HOME")).filter(s -> s.startsWith("/")).map(Path::of)
-        .orElse(home.resolve(".local").resolve("state"));
-    return new StateFolder(Optional.ofNullable(properties.getProperty("robotui.state")).filter(s -> !s.isBlank())
-        .map(Path::of).orElse(xdg.resolve("robotui")));
+    return new StateFolder(UserFolder.state(properties, environment));
   }
 
   /** The file for changes to one configuration: two files of one name in two folders have two. */
@@ -38,7 +34,7 @@ public record StateFolder(Path path) {
 
   /** Where running processes are reached, and what they would leave behind. */
   Path run() {
-    return path.resolve("run");
+    return UserFolder.sockets(path);
   }
 
   /** The file that names bundles which held the display up. */

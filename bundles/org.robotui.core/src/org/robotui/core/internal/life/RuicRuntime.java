@@ -15,10 +15,12 @@ import org.robotui.api.RuicType;
 import org.robotui.api.Uic;
 import org.robotui.api.alert.AlertBoard;
 import org.robotui.api.command.Authority;
+import org.robotui.api.command.Principal;
 import org.robotui.api.host.ConfigChange;
 import org.robotui.api.host.Exchange;
 import org.robotui.api.host.ExchangeOutcome;
 import org.robotui.api.host.InterfaceConfig;
+import org.robotui.api.host.PortAccess;
 import org.robotui.api.host.Ruic;
 import org.robotui.api.host.RuicSnapshot;
 import org.robotui.api.host.RuicState;
@@ -61,7 +63,6 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
   private final ArrangedViews arranged;
   private volatile Health health = Health.ADDED;
 
-  /** A RUIC that has nothing yet. */
   public RuicRuntime(RuicConfig config, RuicOverlay overlay, Services services) {
     this.overlay = overlay;
     this.services = services;
@@ -159,7 +160,6 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
     set(new Health(selected ? RuicState.SELECTED : wasSelected ? RuicState.UNSELECTED : RuicState.INITIALIZED, ""));
   }
 
-  /** Ends all components; logs what is left. */
   private List<String> end(Duration limit) {
     plannedWith = Optional.empty();
     stands = false;
@@ -206,7 +206,6 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
     return shutDown(CLOSE_LIMIT).thenApply(left -> RuicState.SHUT_DOWN);
   }
 
-  /** Ends it within a limit; completes with what could not be ended. */
   public CompletionStage<List<String>> shutDown(Duration limit) {
     worker.run(() -> {
       List<String> left = end(limit);
@@ -217,9 +216,13 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
     return worker.ended();
   }
 
-  /** How many robot interfaces it has that run, or should. */
   public int running() {
     return components.rfics().size();
+  }
+
+  @Override
+  public PortAccess access(Principal principal) {
+    return new ProgramAccess(components, services, robots::first, principal);
   }
 
   @Override
@@ -245,17 +248,14 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
     }, new ExchangeOutcome.Refused(name() + " has ended"));
   }
 
-  /** As it is configured now. */
   public RuicConfig config() {
     return config.get();
   }
 
-  /** Whether it stands in a file, named as it was loaded. */
   public boolean isOf(String file) {
     return config.get().file().equals(file);
   }
 
-  /** Its file says something else now: what can be taken up while it runs is, and the rest is for the next restart. */
   public List<ConfigChange.Step> fileChanged(RuicConfig latest) {
     return interfaces.fileChanged(latest);
   }

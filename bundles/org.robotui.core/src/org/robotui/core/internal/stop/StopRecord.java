@@ -18,7 +18,9 @@ import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.function.Supplier;
+import org.robotui.api.config.AtomicFile;
 import org.robotui.net.process.RunningProcess;
+import org.robotui.net.socket.UserSocket;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -98,7 +100,8 @@ public final class StopRecord {
       if (now.isEmpty()) {
         Files.deleteIfExists(file);
       } else {
-        PrivateFiles.write(file, RunningProcess.current().started() + "\n" + String.join("\n", now) + "\n");
+        UserSocket.privateFolder(file.getParent());
+        AtomicFile.writePrivate(file, RunningProcess.current().started() + "\n" + String.join("\n", now) + "\n");
       }
     } catch (IOException | UnsupportedOperationException e) {
       LOG.warn("{} cannot be written: the next start will not know of {}", file, now, e);

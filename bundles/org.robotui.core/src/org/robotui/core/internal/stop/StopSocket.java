@@ -4,18 +4,14 @@ import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStreamReader;
 import java.io.OutputStream;
-import java.net.StandardProtocolFamily;
-import java.net.UnixDomainSocketAddress;
 import java.nio.channels.Channels;
-import java.nio.channels.ServerSocketChannel;
 import java.nio.channels.SocketChannel;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.attribute.PosixFilePermissions;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
+import org.robotui.net.socket.UserSocket;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -28,9 +24,8 @@ public final class StopSocket implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(StopSocket.class);
   private static final int MOST_CHARACTERS = 16;
 
-  private final Path file;
   private final Supplier<List<String>> stop;
-  private final Optional<ServerSocketChannel> server;
+  private final Optional<UserSocket> socket;
 
   /**
    * Listens from now on, as far as the folder allows that.
@@ -39,41 +34,23 @@ public final class StopSocket implements AutoCloseable {
    * @param stop stops all robots and says for each what was done; must not wait for anything
    */
   public StopSocket(Path folder, Supplier<List<String>> stop) {
-    this.file = folder.resolve("stop-" + ProcessHandle.current().pid() + ".sock");
     this.stop = stop;
-    this.server = open();
-    server.ifPresent(s -> daemon("robotui-stop-socket", () -> accept(s)));
+    this.socket = open(folder.resolve("stop-" + ProcessHandle.current().pid() + ".sock"));
   }
 
-  private Optional<ServerSocketChannel> open() {
+  private Optional<UserSocket> open(Path file) {
     try {
-      PrivateFiles.folder(file.getParent());
-      Files.deleteIfExists(file); // of a process that had this number before
-      ServerSocketChannel channel = ServerSocketChannel.open(StandardProtocolFamily.UNIX);
-      channel.bind(UnixDomainSocketAddress.of(file));
-      Files.setPosixFilePermissions(file, PosixFilePermissions.fromString("rw-------"));
-      return Optional.of(channel);
-    } catch (IOException | UnsupportedOperationException e) {
+      return Optional.of(UserSocket.listen(file, StopSocket::thread, this::serve));
+    } catch (IOException e) {
       LOG.warn("./robotui stop cannot reach this process, as {} cannot be made: {}", file, e.toString());
       return Optional.empty();
     }
   }
 
-  private static void daemon(String name, Runnable work) {
-    Thread thread = Thread.ofPlatform().daemon().name(name).unstarted(work);
+  private static Thread thread(Runnable work) {
+    Thread thread = Thread.ofPlatform().daemon().name("robotui-stop-socket").unstarted(work);
     thread.setPriority(Thread.MAX_PRIORITY);
-    thread.start();
-  }
-
-  private void accept(ServerSocketChannel listening) {
-    while (listening.isOpen()) {
-      try {
-        SocketChannel client = listening.accept();
-        daemon("robotui-stop-client", () -> serve(client));
-      } catch (IOException e) {
-        LOG.debug("{} is closed: {}", file, e.toString());
-      }
-    }
+    return thread;
   }
 
   private void serve(SocketChannel client) {
@@ -85,7 +62,7 @@ public final class StopSocket implements AutoCloseable {
         out.write((String.join("\n", stop.get()) + "\ndone\n").getBytes(StandardCharsets.UTF_8));
       }
     } catch (IOException e) {
-      LOG.debug("who asked at {} has gone: {}", file, e.toString());
+      LOG.debug("who asked has gone: {}", e.toString());
     }
   }
 
@@ -100,13 +77,6 @@ public final class StopSocket implements AutoCloseable {
 
   @Override
   public void close() {
-    server.ifPresent(s -> {
-      try {
-        s.close();
-        Files.deleteIfExists(file);
-      } catch (IOException e) {
-        LOG.debug("{} stays: {}", file, e.toString());
-      }
-    });
+    socket.ifPresent(UserSocket::close);
   }
 }
