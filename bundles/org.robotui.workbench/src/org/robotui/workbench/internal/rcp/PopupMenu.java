@@ -44,7 +44,8 @@ final class PopupMenu {
 
   private SearchEntry entry(String group, String text) {
     String[] parts = text.split("\t", 2);
-    return new SearchEntry(group, parts[0].replace("&", ""), parts.length > 1 ? keys(parts[1]) : "", () -> choose(text));
+    return new SearchEntry(group, parts[0].replace("&", ""), parts.length > 1 ? keys(parts[1]) : "",
+        () -> choose(text));
   }
 
   /** In the same order of modifiers as everywhere. */
