@@ -27,7 +27,8 @@ public final class KeyStore {
     List<String> damage = new ArrayList<>();
     now = new Keymap(List.of(), file.read(damage::add));
     if (!damage.isEmpty()) {
-      teller.accept("Of the keys that you had changed something is lost: " + String.join("; ", damage) + ". "
+      teller.accept("Of the keys that you had changed something is lost: "
+          + String.join("; ", damage).replaceFirst("\\.$", "") + ". "
           + SetAside.copy(file.path()));
     }
   }

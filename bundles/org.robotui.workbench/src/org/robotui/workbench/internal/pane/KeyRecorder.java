@@ -59,8 +59,8 @@ public final class KeyRecorder {
 
   private void key(Event event) {
     event.doit = false;
-    if (event.type == SWT.Traverse) {
-      return; // the key itself follows
+    if (event.type == SWT.Traverse || (event.keyCode & SWT.KEY_MASK) == 0) {
+      return; // of a traversal the key itself follows; of a modifier what it is held for
     }
     KeyStroke stroke =
         SWTKeySupport.convertAcceleratorToKeyStroke(SWTKeySupport.convertEventToUnmodifiedAccelerator(event));

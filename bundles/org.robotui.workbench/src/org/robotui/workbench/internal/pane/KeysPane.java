@@ -98,7 +98,7 @@ public final class KeysPane extends Composite {
 
   @Override
   public boolean setFocus() {
-    return filter.setFocus();
+    return !filter.isDisposed() && filter.setFocus(); // a button that goes hands its focus on
   }
 
   private static List<Column<KeyRow>> columns() {

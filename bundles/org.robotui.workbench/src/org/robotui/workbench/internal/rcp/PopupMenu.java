@@ -9,6 +9,7 @@ import org.eclipse.swt.widgets.Event;
 import org.eclipse.swt.widgets.Menu;
 import org.eclipse.ui.IWorkbenchWindow;
 import org.eclipse.ui.menus.IMenuService;
+import org.robotui.workbench.internal.keys.KeyWords;
 import org.robotui.workbench.internal.model.SearchEntry;
 
 /** A menu of the top bar: what all bundles contribute to it, fresh each time. */
@@ -43,7 +44,13 @@ final class PopupMenu {
 
   private SearchEntry entry(String group, String text) {
     String[] parts = text.split("\t", 2);
-    return new SearchEntry(group, parts[0].replace("&", ""), parts.length > 1 ? parts[1] : "", () -> choose(text));
+    return new SearchEntry(group, parts[0].replace("&", ""), parts.length > 1 ? keys(parts[1]) : "",
+        () -> choose(text));
+  }
+
+  /** In the same order of modifiers as everywhere. */
+  private static String keys(String text) {
+    return KeyWords.read(text).map(KeyWords::text).orElse(text);
   }
 
   /** The menu is made anew: what is in it may have changed since. */

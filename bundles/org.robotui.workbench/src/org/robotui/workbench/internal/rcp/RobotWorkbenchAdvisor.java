@@ -72,7 +72,7 @@ public final class RobotWorkbenchAdvisor extends WorkbenchAdvisor {
   @Override
   public void postStartup() {
     new PlatformKeys(PlatformUI.getWorkbench(), session.keys()).follow();
-    ViewWindowKeys.follow(PlatformUI.getWorkbench());
+    ViewWindowKeys.follow(PlatformUI.getWorkbench(), session.keys());
     PreferencePages.tidy(PlatformUI.getWorkbench().getPreferenceManager());
     if (asks) {
       suspects.judge(RobotWorkbenchAdvisor::leaveOut).forEach(WorkbenchServices::disable);

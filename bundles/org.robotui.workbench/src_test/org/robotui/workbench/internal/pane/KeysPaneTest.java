@@ -44,8 +44,9 @@ class KeysPaneTest {
   @BeforeEach
   void open() {
     store = new KeyStore(new KeysFile(folder.resolve("keys.yaml")), told -> {});
-    store.commands(List.of(command("stop", "Stop All Robots", true, "F12"), command("lease", "Take Control", false, "Ctrl+L"),
-        command("search", "Search", false, "Ctrl+3"), command("reload", "Read Again", false)));
+    store.commands(
+        List.of(command("stop", "Stop All Robots", true, "F12"), command("lease", "Take Control", false, "Ctrl+L"),
+            command("search", "Search", false, "Ctrl+3"), command("reload", "Read Again", false)));
     shell.setLayout(new FillLayout());
     shell.setBounds(0, 0, 800, 500);
     pane = new KeysPane(shell, theme, store, () -> Map.of("Log", List.of(new ViewKey("Ctrl+F, /", "Find"))), recorder);
@@ -119,7 +120,8 @@ class KeysPaneTest {
   }
 
   private static KeyedCommand command(String id, String name, boolean fixed, String... keys) {
-    return new KeyedCommand(id, name, "Robot", "Does it", Stream.of(keys).map(k -> KeyWords.read(k).orElseThrow()).toList(),
+    return new KeyedCommand(id, name, "Robot", "Does it",
+        Stream.of(keys).map(k -> KeyWords.read(k).orElseThrow()).toList(),
         fixed);
   }
 
