@@ -78,7 +78,8 @@ final class BagSource implements ChunkSource {
         long size = fields.u32("the length of a record");
         int from = fields.skip(size, "the data of a record");
         if (!message.read(header, header + headerLength)) {
-          other(new PackedFields(bytes, header, header + headerLength), new PackedFields(bytes, from, from + (int) size),
+          other(new PackedFields(bytes, header, header + headerLength),
+              new PackedFields(bytes, from, from + (int) size),
               offset);
         } else if (connections.knows(message.connection())) {
           entries.add(message.connection(), message.time(), message.time(), 0, from, (int) size);
