@@ -70,12 +70,23 @@ final class BagSource implements ChunkSource {
   private LoadedChunk records(long offset, byte[] bytes, int length) {
     EntryTable entries = new EntryTable();
     PackedFields fields = new PackedFields(bytes, 0, length);
+    BagMessageHead message = new BagMessageHead(bytes);
     try {
       while (fields.hasMore()) {
-        BagFields header = new BagFields(fields.part("the header of a record"));
+        int headerLength = (int) Math.min(Integer.MAX_VALUE, fields.u32("the header of a record"));
+        int header = fields.skip(headerLength, "the header of a record");
         long size = fields.u32("the length of a record");
         int from = fields.skip(size, "the data of a record");
-        record(header, bytes, from, (int) size, entries, offset);
+        if (!message.read(header, header + headerLength)) {
+          other(new PackedFields(bytes, header, header + headerLength),
+              new PackedFields(bytes, from, from + (int) size),
+              offset);
+        } else if (connections.knows(message.connection())) {
+          entries.add(message.connection(), message.time(), message.time(), 0, from, (int) size);
+        } else {
+          damages.add(offset, "a message was left out: it is of connection " + message.connection()
+              + ", which the bag does not describe");
+        }
       }
     } catch (MalformedRecord e) {
       damages.add(offset, "what follows in a chunk was left out: " + e.getMessage());
@@ -83,18 +94,14 @@ final class BagSource implements ChunkSource {
     return entries.over(bytes);
   }
 
-  private void record(BagFields header, byte[] bytes, int from, int size, EntryTable entries, long offset) {
+  /** A record that is no message, or a damaged one. */
+  private void other(PackedFields header, PackedFields data, long offset) {
     try {
-      int op = header.op();
-      if (op == BagFields.CONNECTION) {
-        connections.add(header, new PackedFields(bytes, from, from + size));
-      } else if (op == BagFields.MESSAGE) {
-        int connection = header.u32("conn");
-        if (!connections.knows(connection)) {
-          throw new MalformedRecord("a message is of connection " + connection + ", which the bag does not describe");
-        }
-        long time = header.time("time");
-        entries.add(connection, time, time, 0, from, size);
+      BagFields fields = new BagFields(header);
+      if (fields.op() == BagFields.CONNECTION) {
+        connections.add(fields, data);
+      } else if (fields.op() == BagFields.MESSAGE) {
+        throw new MalformedRecord("a message has no connection or no time");
       }
     } catch (MalformedRecord e) {
       damages.add(offset, "a record in a chunk was left out: " + e.getMessage());

@@ -87,8 +87,12 @@ final class McapSource implements ChunkSource {
       while (fields.hasMore()) {
         int code = fields.u8("the code of a record");
         long size = fields.size("the length of a record");
-        int from = fields.skip(size, "a record of the code " + code);
-        record(code, bytes, from, (int) size, entries, offset);
+        if (code == McapFormat.MESSAGE && size >= McapFormat.MESSAGE_HEAD) {
+          message(fields, size, entries, offset);
+        } else {
+          int from = fields.skip(size, "a record");
+          other(code, bytes, from, (int) size, offset);
+        }
       }
     } catch (MalformedRecord e) {
       damages.add(offset, "what follows in a chunk was left out: " + e.getMessage());
@@ -96,31 +100,36 @@ final class McapSource implements ChunkSource {
     return entries.over(bytes);
   }
 
-  private void record(int code, byte[] bytes, int from, int size, EntryTable entries, long offset) {
-    PackedFields fields = new PackedFields(bytes, from, from + size);
+  /** Most records are messages: nothing is made of each but its entry. */
+  private void message(PackedFields fields, long size, EntryTable entries, long offset) throws MalformedRecord {
+    int channel = fields.u16("the channel of a message");
+    long sequence = fields.u32("the number of a message");
+    long logTime = fields.i64("the log time of a message");
+    long publishTime = fields.i64("the publish time of a message");
+    int length = (int) Math.min(Integer.MAX_VALUE, size - McapFormat.MESSAGE_HEAD);
+    int from = fields.skip(length, "a message");
+    if (definitions.knows(channel)) {
+      entries.add(channel, logTime, publishTime, sequence, from, length);
+    } else {
+      damages.add(offset,
+          "a message was left out: it is of channel " + channel + ", which the file does not describe");
+    }
+  }
+
+  /** A record that is no message, or one that is too short. The format grows: others than these may be there. */
+  private void other(int code, byte[] bytes, int from, int size, long offset) {
     try {
       switch (code) {
-        case McapFormat.MESSAGE -> message(fields, entries);
-        case McapFormat.SCHEMA -> definitions.schema(fields);
-        case McapFormat.CHANNEL -> definitions.channel(fields);
+        case McapFormat.MESSAGE -> throw new MalformedRecord("a message has " + size + " bytes");
+        case McapFormat.SCHEMA -> definitions.schema(new PackedFields(bytes, from, from + size));
+        case McapFormat.CHANNEL -> definitions.channel(new PackedFields(bytes, from, from + size));
         default -> {
-          // others may be there: the format grows
+          // of no meaning here
         }
       }
     } catch (MalformedRecord e) {
       damages.add(offset, "a record in a chunk was left out: " + e.getMessage());
     }
-  }
-
-  private void message(PackedFields fields, EntryTable entries) throws MalformedRecord {
-    int channel = fields.u16("the channel of a message");
-    long sequence = fields.u32("the number of a message");
-    long logTime = fields.i64("the log time of a message");
-    long publishTime = fields.i64("the publish time of a message");
-    if (!definitions.knows(channel)) {
-      throw new MalformedRecord("a message is of channel " + channel + ", which the file does not describe");
-    }
-    entries.add(channel, logTime, publishTime, sequence, fields.position(), fields.remaining());
   }
 
   @Override
