@@ -1,6 +1,7 @@
 package org.robotui.workbench.internal;
 
 import java.io.IOException;
+import java.io.PrintStream;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicBoolean;
@@ -19,6 +20,8 @@ import org.robotui.api.script.Scripts;
  */
 final class WindowScripts implements AutoCloseable {
   private final Arguments arguments;
+  private final PrintStream out;
+  private final PrintStream err;
   private final Consumer<String> alert;
   private final IntConsumer exit;
   private final AtomicBoolean begun = new AtomicBoolean();
@@ -26,12 +29,12 @@ final class WindowScripts implements AutoCloseable {
   private volatile Optional<Scripts.Door> door = Optional.empty();
 
   /** Where the command line asks for them; they begin once the configurations are read. */
-  static Optional<WindowScripts> of(WorkbenchSession session, IntConsumer exit) {
+  static Optional<WindowScripts> of(WorkbenchSession session, PrintStream out, PrintStream err, IntConsumer exit) {
     Arguments arguments = session.arguments();
     if (arguments.script().isEmpty() && !arguments.scriptSocket()) {
       return Optional.empty();
     }
-    WindowScripts scripts = new WindowScripts(arguments,
+    WindowScripts scripts = new WindowScripts(arguments, out, err,
         sentence -> session.later(() -> session.alerts().tell("", sentence)), exit);
     Runnable begin = () -> session.configurations().background().execute(scripts::begin);
     session.onLoaded(() -> {
@@ -48,8 +51,10 @@ final class WindowScripts implements AutoCloseable {
   /**
    * Told of failures with {@code alert}, and that the script wants the workbench to end with {@code exit}: any thread.
    */
-  WindowScripts(Arguments arguments, Consumer<String> alert, IntConsumer exit) {
+  WindowScripts(Arguments arguments, PrintStream out, PrintStream err, Consumer<String> alert, IntConsumer exit) {
     this.arguments = arguments;
+    this.out = out;
+    this.err = err;
     this.alert = alert;
     this.exit = exit;
   }
@@ -64,7 +69,7 @@ final class WindowScripts implements AutoCloseable {
   private void begin(Scripts scripts) {
     if (arguments.scriptSocket()) {
       door = scripts.listen(UserFolder.sockets(UserFolder.state(System.getProperties(), System.getenv())));
-      door.ifPresent(d -> System.err.println("scripts may come by " + d.file()));
+      door.ifPresent(d -> err.println("scripts may come by " + d.file()));
     }
     arguments.script().ifPresent(file -> run(scripts, file));
   }
@@ -73,7 +78,7 @@ final class WindowScripts implements AutoCloseable {
     try {
       ScriptSource source = ScriptSource.read(file);
       ScriptSession opened =
-          scripts.open("the script " + source.name(), WindowScripts::say);
+          scripts.open("the script " + source.name(), this::say);
       session = Optional.of(opened);
       opened.run(source).thenAccept(outcome -> ended(opened, outcome));
     } catch (IOException e) {
@@ -81,8 +86,8 @@ final class WindowScripts implements AutoCloseable {
     }
   }
 
-  private static void say(String text) {
-    text.lines().map(Printable::of).forEach(System.out::println);
+  private void say(String text) {
+    text.lines().map(Printable::of).forEach(out::println);
   }
 
   private void ended(ScriptSession of, ScriptOutcome outcome) {
@@ -96,7 +101,7 @@ final class WindowScripts implements AutoCloseable {
   }
 
   private void failed(String sentence) {
-    System.err.println(Printable.of(sentence));
+    err.println(Printable.of(sentence));
     alert.accept(sentence);
   }
 

@@ -156,7 +156,7 @@ public final class WorkbenchApplication implements IApplication {
         StopKeys keys = new StopKeys(display, session::stop)) {
       RobotWorkbenchAdvisor advisor = new RobotWorkbenchAdvisor(session, heartbeat::begin);
       AtomicInteger exit = new AtomicInteger(EXIT_OK);
-      scripts = WindowScripts.of(session, code -> {
+      scripts = WindowScripts.of(session, System.out, System.err, code -> {
         exit.set(code);
         display.asyncExec(PlatformUI.getWorkbench()::close);
       });

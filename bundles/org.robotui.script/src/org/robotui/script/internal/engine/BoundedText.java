@@ -23,9 +23,9 @@ final class BoundedText extends BaseFunction {
   public Object call(Context context, Scriptable scope, Scriptable self, Object[] arguments) {
     double size = arguments.length == 0 ? 0 : ScriptRuntime.toNumber(arguments[0]);
     double length = name.equals("repeat") ? size * ScriptRuntime.toString(self).length() : size;
-    if (length > Limits.LONGEST_TEXT) {
+    if (length > ScriptLimits.LONGEST_TEXT) {
       throw ScriptRuntime.constructError("RangeError",
-          name + " would make a text of more than " + Limits.LONGEST_TEXT + " characters");
+          name + " would make a text of more than " + ScriptLimits.LONGEST_TEXT + " characters");
     }
     return usual.call(context, scope, self, arguments);
   }

@@ -31,9 +31,9 @@ final class FromScript {
   }
 
   private Object of(Object value, int depth) throws ScriptFailure {
-    if (++values > Limits.MOST_VALUES || depth > Limits.NESTING) {
-      throw new ScriptFailure("the value is too large, or contains itself: at most " + Limits.MOST_VALUES
-          + " values can be handed over, and " + Limits.NESTING + " within each other");
+    if (++values > ScriptLimits.MOST_VALUES || depth > ScriptLimits.NESTING) {
+      throw new ScriptFailure("the value is too large, or contains itself: at most " + ScriptLimits.MOST_VALUES
+          + " values can be handed over, and " + ScriptLimits.NESTING + " within each other");
     }
     return switch (value) {
       case null -> null;
@@ -50,16 +50,16 @@ final class FromScript {
   }
 
   private static String text(CharSequence text) throws ScriptFailure {
-    if (text.length() > Limits.LONGEST_TEXT) {
+    if (text.length() > ScriptLimits.LONGEST_TEXT) {
       throw new ScriptFailure(
-          "a text has " + text.length() + " characters; at most " + Limits.LONGEST_TEXT + " can be handed over");
+          "a text has " + text.length() + " characters; at most " + ScriptLimits.LONGEST_TEXT + " can be handed over");
     }
     return text.toString();
   }
 
   private List<Object> list(NativeArray array, int depth) throws ScriptFailure {
-    if (array.getLength() > Limits.MOST_VALUES) {
-      throw new ScriptFailure("an array has " + array.getLength() + " elements; at most " + Limits.MOST_VALUES
+    if (array.getLength() > ScriptLimits.MOST_VALUES) {
+      throw new ScriptFailure("an array has " + array.getLength() + " elements; at most " + ScriptLimits.MOST_VALUES
           + " can be handed over");
     }
     List<Object> items = new ArrayList<>();

@@ -22,7 +22,7 @@ final class Sandbox extends ContextFactory {
     Context made = super.makeContext();
     made.setLanguageVersion(Context.VERSION_ES6);
     made.setInterpretedMode(true);
-    made.setMaximumInterpreterStackDepth(Limits.DEPTH);
+    made.setMaximumInterpreterStackDepth(ScriptLimits.DEPTH);
     made.setClassShutter(name -> false);
     made.setWrapFactory(new NoWrapping());
     made.setInstructionObserverThreshold(INSTRUCTIONS);

@@ -14,7 +14,7 @@ import org.robotui.api.script.ScriptSource;
  */
 final class ScriptRun {
   private final ScriptSource source;
-  private final Limits limits;
+  private final ScriptLimits limits;
   private final LongSupplier computed;
   private final CompletableFuture<ScriptOutcome> outcome = new CompletableFuture<>();
   private Optional<Thread> thread = Optional.empty(); // under the lock
@@ -22,7 +22,7 @@ final class ScriptRun {
   private long since; // only on the thread of the script
 
   /** Of a script; {@code computed} tells what the processor has spent on the calling thread, nanoseconds. */
-  ScriptRun(ScriptSource source, Limits limits, LongSupplier computed) {
+  ScriptRun(ScriptSource source, ScriptLimits limits, LongSupplier computed) {
     this.source = source;
     this.limits = limits;
     this.computed = computed;

@@ -29,7 +29,7 @@ public final class Session implements ScriptSession {
   private static final Duration GRACE = Duration.ofSeconds(3);
 
   private final Supplier<List<ScriptFunction>> functions;
-  private final Limits limits;
+  private final ScriptLimits limits;
   private final Surroundings surroundings;
   private final ExecutorService worker;
   private final List<ScriptRun> runs = new CopyOnWriteArrayList<>();
@@ -42,11 +42,11 @@ public final class Session implements ScriptSession {
   /** A session with the limits that usually hold. */
   public Session(Host host, Principal principal, Consumer<String> output, Supplier<List<ScriptFunction>> functions,
       Runnable ended) {
-    this(host, principal, output, functions, ended, Limits.USUAL);
+    this(host, principal, output, functions, ended, ScriptLimits.USUAL);
   }
 
   Session(Host host, Principal principal, Consumer<String> output, Supplier<List<ScriptFunction>> functions,
-      Runnable ended, Limits limits) {
+      Runnable ended, ScriptLimits limits) {
     this.functions = functions;
     this.limits = limits;
     this.ended = ended;

@@ -29,7 +29,7 @@ public final class Console implements AutoCloseable {
     List<ScriptFunction> all = new ArrayList<>(List.of(more));
     all.addAll(StandardFunctions.all(() -> List.copyOf(all)));
     session = new Session(host, new Principal("script-1", "the script", Principal.Kind.SCRIPT), printed::add,
-        () -> List.copyOf(all), () -> {}, new Limits(computing, heap));
+        () -> List.copyOf(all), () -> {}, new ScriptLimits(computing, heap));
   }
 
   /** Runs a script to its end. */

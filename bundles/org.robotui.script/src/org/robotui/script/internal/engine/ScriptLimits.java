@@ -8,8 +8,8 @@ import java.time.Duration;
  * @param computing how long without waiting
  * @param heap whether there is memory left
  */
-record Limits(Duration computing, HeapLook heap) {
-  static final Limits USUAL = new Limits(Duration.ofSeconds(10), new HeapLook());
+record ScriptLimits(Duration computing, HeapLook heap) {
+  static final ScriptLimits USUAL = new ScriptLimits(Duration.ofSeconds(10), new HeapLook());
 
   /** How many calls of functions of a script may lie within each other. */
   static final int DEPTH = 1000;
