@@ -4,7 +4,7 @@ readonly LOGS=$KEEP/logs
 readonly PRODUCTS=$ROOT/product/target/products
 readonly WINDOW_PRODUCT=$PRODUCTS/org.robotui.workbench.product/linux/gtk/x86_64
 readonly HEADLESS_PRODUCT=$PRODUCTS/org.robotui.headless.product/linux/gtk/x86_64
-readonly PRODUCT_TOOLS=(tools/{archive,control,desktop,install,java,launch,log,packages,run,say,simulator,stop,surroundings,use}.sh)
+readonly PRODUCT_TOOLS=(tools/{archive,control,desktop,install,java,launch,log,packages,run,say,simulator,stop,support,surroundings,use}.sh)
 readonly STAMP=$ROOT/product/target/robotui.stamp
 
 # Makes both products, unless they are those of the present sources.
@@ -62,17 +62,4 @@ build_outlook() {
   else
     printf 'the first time about 170 MB are fetched: some minutes'
   fi
-}
-
-cmd_package() {
-  [[ $# -eq 0 ]] || usage_error "package takes no arguments"
-  need_jdk
-  need_maven
-  need_link
-  list_features
-  say "Packaging RobotUI"
-  maven "$LOGS/package.log" verify -Dproduct.only -Dmaven.test.skip=true -Dtest.compile.phase=none || exit 1
-  source_stamp >"$STAMP"
-  ls "$PRODUCTS"/*.tar.gz
-  echo "$ROOT/product/target/repository"
 }

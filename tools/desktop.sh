@@ -17,12 +17,12 @@ cmd_desktop() {
   esac
 }
 
-# The template with the places of this folder: a desktop looks for neither beside the entry.
+# The template with the places of this folder: a desktop looks for neither beside the entry. What was unpacked by a single file is started by it.
 write_entry() {
   local line
   while IFS= read -r line; do
     case $line in
-      Exec=*) printf 'Exec="%s" run\n' "$(in_exec "$ROOT/robotui")" ;;
+      Exec=*) printf 'Exec="%s" run\n' "$(in_exec "${ROBOTUI_SINGLE_FILE:-$ROOT/robotui}")" ;;
       Icon=*) printf 'Icon=%s\n' "$ROOT/robotui.svg" ;;
       *) printf '%s\n' "$line" ;;
     esac

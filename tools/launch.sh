@@ -13,6 +13,7 @@ launch() {
   trap end_launch EXIT
   take_workspace
   vm_arguments "$home" "$@"
+  take_configuration "$home"
   while :; do
     rc=0
     launch_once "$home" "$@" || rc=$?
@@ -33,6 +34,20 @@ take_workspace() {
   done
   touch "$workspace/robotui.log"
   chmod 600 "$workspace"/robotui.log*
+}
+
+# Where the framework keeps what it has found out about its bundles: beside them, or with the user where many users start what none of them
+# may write. Each version has a place of its own; those go that were not started for a season.
+take_configuration() {
+  local sum place
+  framework=()
+  [[ ! -w $1/configuration || -e $1/system-package ]] || return 0
+  sum=$(cksum <"$1/configuration/org.eclipse.equinox.simpleconfigurator/bundles.info")
+  place=$STATE/installed/${sum%% *}
+  mkdir -p "$place/configuration"
+  touch "$place"
+  find "$STATE/installed" -mindepth 1 -maxdepth 1 -mtime +100 -exec rm -rf {} +
+  framework=(-configuration "$place/configuration")
 }
 
 # How much memory, in MB, Java may take for what robots send and views keep: what the user says, else a quarter of what the machine has,
@@ -98,7 +113,7 @@ launch_once() {
   local rc=0 home=$1
   shift
   "$JAVA_HOME/bin/java" "${vm[@]}" -jar "$home"/plugins/org.eclipse.equinox.launcher_*.jar \
-    -install "$home" -os linux -ws gtk -arch x86_64 -data "$workspace" "$@" <&0 &
+    -install "$home" -os linux -ws gtk -arch "$(uname -m)" -data "$workspace" "${framework[@]}" "$@" <&0 &
   launched=$!
   wait "$launched" || rc=$?
   while kill -0 "$launched" 2>/dev/null; do      # a signal ended the wait, not the application

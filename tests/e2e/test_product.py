@@ -5,10 +5,11 @@ import re
 import shutil
 import stat
 import subprocess
+import zipfile
 
 import pytest
 
-from conftest import NO_DISPLAY, ROOT
+from conftest import NO_DISPLAY, ROOT, needs_long
 
 PRODUCTS = {kind: ROOT / f"product/target/products/org.robotui.{kind}.product/linux/gtk/x86_64" for kind in ("workbench", "headless")}
 UPDATE_SITE = ROOT / "product/target/repository"
@@ -100,6 +101,129 @@ def test_it_goes_among_the_applications_of_a_desktop_and_out_again(unpacked, tmp
 
     assert run(unpacked / "robotui", "desktop", "--remove", XDG_DATA_HOME=str(data)).returncode == 0
     assert list((data / "applications").iterdir()) == []
+
+
+# ---- what is given away -----------------------------------------------------------------------------------------------
+
+
+@pytest.fixture
+def packed(tmp_path):
+    """Single files and packages of products that say with what they were started; made as ./robotui package makes them of the real ones."""
+    for kind in ("workbench", "headless"):
+        folder = tmp_path / f"robotui-{kind}"
+        bundles = folder / "configuration/org.eclipse.equinox.simpleconfigurator"
+        bundles.mkdir(parents=True)
+        (bundles / "bundles.info").write_text("#version=1\norg.robotui.core,0.1.0.202611271849,plugins/core.jar,4,true\n", encoding="ascii")
+        for name in ("robotui.svg", "robotui.desktop"):
+            shutil.copy(ROOT / "features/org.robotui.feature.platform.headless/rootfiles" / name, folder)
+        for name in ("LICENSE", "THIRD-PARTY.md"):
+            shutil.copy(ROOT / name, folder)
+        (folder / "robotui").write_text("#!/bin/sh\necho \"./robotui was asked for: $*\"\necho \".in $(dirname \"$(readlink -f \"$0\")\")\"\n", encoding="ascii")
+        (folder / "robotui").chmod(0o755)
+        subprocess.run(["tar", "-czf", tmp_path / f"robotui-{kind}-linux.gtk.x86_64.tar.gz", "-C", tmp_path, folder.name], check=True)
+        shutil.rmtree(folder)
+    made = run("/bin/bash", "-c", f"""set -euo pipefail
+        ROOT={ROOT}; checkout_version() {{ echo "a test"; }}
+        source $ROOT/tools/say.sh; source $ROOT/tools/package.sh; package_all '{tmp_path}'""")
+    assert made.returncode == 0, made.stderr
+    return tmp_path
+
+
+@pytest.mark.skipif(not shutil.which("dpkg-deb"), reason="dpkg-deb is not installed")
+def test_a_package_of_debian_puts_everything_where_it_belongs(packed, tmp_path):
+    (deb,) = packed.glob("robotui_*.deb")
+    control = subprocess.run(["dpkg-deb", "--info", deb], capture_output=True, text=True, check=True).stdout
+    root = tmp_path / "root"
+    subprocess.run(["dpkg-deb", "--extract", deb, root], check=True)
+    owners = subprocess.run(["dpkg-deb", "--contents", deb], capture_output=True, text=True, check=True).stdout
+
+    assert deb.name == "robotui_0.1.0+202611271849_amd64.deb"
+    for line in ("Package: robotui\n", "Version: 0.1.0+202611271849\n", "Architecture: amd64\n", "Conflicts: robotui-headless\n"):
+        assert line in control, control
+    assert re.search("Depends: .*openjdk-21-jre-headless | .*libgtk-3-0", control), control
+    assert all(" root/root " in line for line in owners.splitlines()), owners
+    said = run(root / "usr/bin/robotui", "check", "demo").stdout
+    assert "asked for: check demo" in said and "/usr/lib/robotui" in said
+    assert (root / "usr/share/icons/hicolor/scalable/apps/robotui.svg").exists()
+    assert "Exec=robotui run\n" in (root / "usr/share/applications/robotui.desktop").read_text(encoding="utf-8")
+    page = subprocess.run(["gzip", "-dc", root / "usr/share/man/man1/robotui.1.gz"], capture_output=True, text=True, check=True).stdout
+    assert "\n\\&robotui was asked for: help\n\\&.in" in page, page
+    sums = subprocess.run(["dpkg-deb", "--ctrl-tarfile", deb], capture_output=True, check=True).stdout
+    subprocess.run(["tar", "-xf", "-", "-C", root], input=sums, check=True)
+    subprocess.run(["md5sum", "--quiet", "--check", "md5sums"], cwd=root, check=True)
+
+
+def test_a_single_file_unpacks_itself_once_and_hands_on_what_it_is_asked_for(packed, tmp_path):
+    file, cache = packed / "robotui-workbench-linux.gtk.x86_64.run", tmp_path / "Zwischen Lager"
+
+    def start(*arguments, program=file):
+        return run(program, *arguments, XDG_CACHE_HOME=str(cache))
+
+    first, second = start("check", "a b"), start("--version")
+    assert "asked for: check a b\n" in first.stdout and "unpacks itself" in first.stderr
+    assert "asked for: --version\n" in second.stdout and second.stderr == ""
+    (unpacked,) = (cache / "robotui").iterdir()
+    assert start("--where").stdout == f"{unpacked}\n" and f".in {unpacked}\n" in second.stdout
+    assert start("--unpack", tmp_path / "folder").returncode == 0
+    assert "asked for: x" in run(tmp_path / "folder/robotui", "x").stdout
+    refused = start("--unpack", tmp_path / "folder")
+    assert refused.returncode == 1 and "is there already" in refused.stderr
+    assert start("--forget").returncode == 0 and not (cache / "robotui").exists()
+
+    damaged = tmp_path / "damaged.run"
+    damaged.write_bytes(file.read_bytes()[:-10] + b"0123456789")
+    damaged.chmod(0o755)
+    said = start("run", program=damaged)
+    assert said.returncode == 1 and "is damaged" in said.stderr
+    assert not (cache / "robotui").exists()
+
+
+def test_all_that_is_given_away_has_a_checksum(packed):
+    sums = (packed / "SHA256SUMS").read_text(encoding="ascii")
+    assert {line.split()[1] for line in sums.splitlines()} == {file.name for file in packed.glob("robotui*")}
+    subprocess.run(["sha256sum", "--quiet", "--check", "SHA256SUMS"], cwd=packed, check=True)
+
+
+@needs_long
+@pytest.mark.parametrize("kind", ["robotui_*.deb", "robotui-workbench-*.run"])
+def test_what_was_packaged_starts(kind, tmp_path):
+    found = list((ROOT / "product/target/products").glob(kind))
+    if not found:
+        pytest.skip("there is none: ./robotui package makes it")
+    program = found[0]
+    if kind.endswith("deb"):
+        subprocess.run(["dpkg-deb", "--extract", found[0], tmp_path / "root"], check=True)
+        program = tmp_path / "root/usr/bin/robotui"
+    surroundings = {"XDG_CACHE_HOME": str(tmp_path / "cache"), "XDG_STATE_HOME": str(tmp_path / "state")}
+
+    assert re.match(r"RobotUI 0\.", run(program, "--version", **surroundings).stdout)
+    for _ in range(2):
+        fine = run(program, "check", "demo", **surroundings)
+        assert fine.returncode == 0, fine.stderr
+        assert "no errors, no warnings" in fine.stdout
+
+
+# ---- a support bundle -------------------------------------------------------------------------------------------------
+
+
+def test_a_support_bundle_tells_everything_but_secrets(product, state, tmp_path):
+    log = state / "robotui/workspace-1/robotui.log"
+    log.parent.mkdir(parents=True)
+    log.write_text("12:00 WARN no way to ws://anna:hunter2@keira:9090\n", encoding="ascii")
+    config = tmp_path / "keira.yaml"
+    config.write_text("ruics:\n  keira:\n    password: hunter2\n", encoding="ascii")
+
+    told = run(product / "robotui", "support", tmp_path / "support.zip", "--config", config, XDG_STATE_HOME=str(state))
+
+    assert told.returncode == 0, told.stderr
+    assert "which only you can read" in told.stdout and "configurations/1-keira.yaml" in told.stdout
+    assert stat.S_IMODE((tmp_path / "support.zip").stat().st_mode) == 0o600
+    with zipfile.ZipFile(tmp_path / "support.zip") as zipped:
+        texts = {name: zipped.read(name).decode() for name in zipped.namelist()}
+    assert {"CONTENTS.txt", "machine.txt", "product/bundles.info", "state/workspace-1/robotui.log"} <= set(texts)
+    assert "org.robotui.core" in texts["product/bundles.info"]
+    assert "hunter2" not in "".join(texts.values())
+    assert "ws://***@keira:9090" in texts["state/workspace-1/robotui.log"]
 
 
 # ---- machines that lack something ---------------------------------------------------------------------------------------

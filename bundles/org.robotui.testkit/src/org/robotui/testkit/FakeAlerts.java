@@ -1,12 +1,15 @@
 package org.robotui.testkit;
 
 import java.time.Instant;
+import java.util.ArrayDeque;
+import java.util.Deque;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.robotui.api.alert.Alert;
 import org.robotui.api.alert.AlertBoard;
+import org.robotui.api.alert.AlertEvent;
 import org.robotui.api.alert.AlertId;
 import org.robotui.api.alert.AlertSource;
 
@@ -16,6 +19,7 @@ public final class FakeAlerts implements AlertBoard, AlertSource {
   public static final String VIEW = "sound";
 
   private final Map<AlertId, Alert> alerts = new LinkedHashMap<>();
+  private final Deque<AlertEvent> history = new ArrayDeque<>();
   private Optional<Instant> muted = Optional.empty();
 
   /**
@@ -35,6 +39,20 @@ public final class FakeAlerts implements AlertBoard, AlertSource {
    */
   public synchronized Optional<Alert> find(String name) {
     return Optional.ofNullable(alerts.get(new AlertId(VIEW, name)));
+  }
+
+  /**
+   * Has something happened.
+   *
+   * @param event what
+   */
+  public synchronized void happened(AlertEvent event) {
+    history.addFirst(event);
+  }
+
+  @Override
+  public synchronized List<AlertEvent> history() {
+    return List.copyOf(history);
   }
 
   @Override

@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * The alerts of a RUIC, as users see them and what they do with them. Nothing of it outlives the RUIC. Safe for all
- * threads; never blocks.
+ * The alerts of a RUIC, as users see them and what they do with them. What is muted and the history are kept from one
+ * run to the next. Safe for all threads; never blocks.
  */
 public interface AlertBoard {
   /**
@@ -46,4 +46,12 @@ public interface AlertBoard {
    * @return a moment that has not come yet, or empty where they are heard
    */
   Optional<Instant> allMutedUntil();
+
+  /**
+   * What happened to the alerts, also in earlier runs: some hundreds of events. What flutters is in it every ten
+   * seconds.
+   *
+   * @return the newest first
+   */
+  List<AlertEvent> history();
 }

@@ -1,5 +1,6 @@
 package org.robotui.api.alert;
 
+import java.time.DateTimeException;
 import java.time.Instant;
 import java.time.LocalDateTime;
 import java.time.ZoneId;
@@ -16,6 +17,7 @@ import java.util.Locale;
 public record AlertWords(ZoneId zone) {
   private static final DateTimeFormatter SECOND = DateTimeFormatter.ofPattern("HH:mm:ss", Locale.ROOT);
   private static final DateTimeFormatter MINUTE = DateTimeFormatter.ofPattern("HH:mm", Locale.ROOT);
+  private static final DateTimeFormatter DAY_SECOND = DateTimeFormatter.ofPattern("MM-dd HH:mm:ss", Locale.ROOT);
   private static final DateTimeFormatter DAY = DateTimeFormatter.ofPattern("yyyy-MM-dd HH:mm", Locale.ROOT);
 
   /**
@@ -57,5 +59,41 @@ public record AlertWords(ZoneId zone) {
     LocalDateTime end = LocalDateTime.ofInstant(until, zone);
     boolean near = until.isBefore(Instant.now().plusSeconds(12 * 3600));
     return "muted until " + (near ? MINUTE : DAY).format(end);
+  }
+
+  /**
+   * What happened.
+   *
+   * @param event an event
+   * @return for example {@code began: 0.18}, {@code acknowledged}, {@code muted until 12:10}
+   */
+  public String what(AlertEvent event) {
+    return switch (event.kind()) {
+      case BEGAN -> event.value().isEmpty() ? "began" : "began: " + event.value();
+      case ENDED -> "over";
+      case ACKNOWLEDGED -> "acknowledged";
+      case MUTED -> mutedUntil(event.value());
+      case UNMUTED -> "unmuted";
+    };
+  }
+
+  private String mutedUntil(String instant) {
+    try {
+      return muted(Instant.parse(instant));
+    } catch (DateTimeException e) {
+      return "muted";
+    }
+  }
+
+  /**
+   * When something happened.
+   *
+   * @param time the moment
+   * @return a time of day to the second, with month and day where that is another one
+   */
+  public String time(Instant time) {
+    LocalDateTime then = LocalDateTime.ofInstant(time, zone);
+    boolean today = then.toLocalDate().equals(LocalDateTime.ofInstant(Instant.now(), zone).toLocalDate());
+    return (today ? SECOND : DAY_SECOND).format(then);
   }
 }

@@ -1,5 +1,6 @@
 package org.robotui.api.host;
 
+import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
@@ -117,6 +118,17 @@ public interface Host {
    * @param focused true while one of our windows has the focus
    */
   void displayFocused(boolean focused);
+
+  /**
+   * Writes what somebody needs to know who helps into one zip that only this user can read: logs, configurations, what
+   * users changed, versions, memory, threads and bundles of this process and of others of this user, with what is
+   * secret masked. Blocks for seconds, so not on the display thread.
+   *
+   * @param file is replaced where it exists
+   * @return what is in it, a line each
+   * @throws IOException where it cannot be written
+   */
+  List<String> support(Path file) throws IOException;
 
   /**
    * Stops all robots, latched.

@@ -2,18 +2,10 @@ package org.robotui.headless.internal;
 
 import java.io.IOException;
 import java.io.PrintStream;
-import java.net.ConnectException;
-import java.net.UnixDomainSocketAddress;
-import java.nio.channels.Channels;
-import java.nio.channels.SocketChannel;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.DirectoryStream;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
+import java.time.Duration;
 import java.util.List;
-import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.TimeUnit;
+import org.robotui.net.process.SocketAnswer;
 
 /**
  * Tells all workbenches of this user to stop their robots, all at the same time, and says what came of it. Knows the
@@ -40,13 +32,8 @@ final class StopClient {
     }
   }
 
-  private record Answer(String process, boolean runs, String text) {
-    boolean isDone() {
-      return text.endsWith("done\n");
-    }
-  }
-
-  private static final long LIMIT_SECONDS = 2;
+  private static final Duration LIMIT = Duration.ofSeconds(2);
+  private static final String DONE = "done";
 
   private final Path folder;
   private final PrintStream out;
@@ -58,62 +45,32 @@ final class StopClient {
   }
 
   Result stop() {
-    List<CompletableFuture<Answer>> asked = sockets().stream().map(StopClient::ask).toList();
-    List<Answer> answers = asked.stream().map(CompletableFuture::join).filter(Answer::runs).toList();
+    List<SocketAnswer> answers = ask();
     answers.forEach(this::tell);
     if (answers.isEmpty()) {
       out.println("No RobotUI of this user runs (none listens in " + folder + ").");
       return Result.NONE;
     }
-    return answers.stream().allMatch(Answer::isDone) ? Result.STOPPED : Result.UNANSWERED;
+    return answers.stream().allMatch(StopClient::isDone) ? Result.STOPPED : Result.UNANSWERED;
   }
 
-  private List<Path> sockets() {
-    List<Path> all = new ArrayList<>();
-    if (Files.isDirectory(folder)) {
-      try (DirectoryStream<Path> found = Files.newDirectoryStream(folder, "stop-*.sock")) {
-        found.forEach(all::add);
-      } catch (IOException e) {
-        out.println(folder + " cannot be read: " + e.getMessage());
-      }
-    }
-    return all;
-  }
-
-  /** One that hangs as a whole takes the connection, since the kernel does, but never answers. */
-  private static CompletableFuture<Answer> ask(Path socket) {
-    String process = socket.getFileName().toString().replaceAll("\\D", "");
-    CompletableFuture<Answer> answer = new CompletableFuture<>();
-    Thread.ofPlatform().daemon().start(() -> answer.complete(talk(socket, process)));
-    return answer.completeOnTimeout(new Answer(process, true, ""), LIMIT_SECONDS, TimeUnit.SECONDS);
-  }
-
-  private static Answer talk(Path socket, String process) {
-    try (SocketChannel channel = SocketChannel.open(UnixDomainSocketAddress.of(socket))) {
-      Channels.newOutputStream(channel).write("stop\n".getBytes(StandardCharsets.UTF_8));
-      return new Answer(process, true,
-          new String(Channels.newInputStream(channel).readAllBytes(), StandardCharsets.UTF_8));
-    } catch (ConnectException e) {
-      forget(socket);
-      return new Answer(process, false, "");
-    } catch (IOException e) {
-      return new Answer(process, true, "");
-    }
-  }
-
-  /** Its process was killed. */
-  private static void forget(Path socket) {
+  private List<SocketAnswer> ask() {
     try {
-      Files.deleteIfExists(socket);
+      return SocketAnswer.ask(folder, "stop-*.sock", "stop", LIMIT);
     } catch (IOException e) {
-      socket.toFile().deleteOnExit();
+      out.println(folder + " cannot be read: " + e.getMessage());
+      return List.of();
     }
   }
 
-  private void tell(Answer answer) {
+  private static boolean isDone(SocketAnswer answer) {
+    return answer.text().endsWith(DONE + "\n");
+  }
+
+  private void tell(SocketAnswer answer) {
     String name = "RobotUI (process " + answer.process() + ")";
-    if (answer.isDone()) {
-      answer.text().lines().filter(l -> !l.equals("done")).forEach(l -> out.println(name + ": " + l));
+    if (isDone(answer)) {
+      answer.text().lines().filter(l -> !l.equals(DONE)).forEach(l -> out.println(name + ": " + l));
     } else {
       out.println(name
           + " does not answer: it hangs as a whole, and whether its robots stand is not known. Stop them by their own means;\n"

@@ -1,5 +1,7 @@
 package org.robotui.testkit.host;
 
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
@@ -236,6 +238,13 @@ public final class FakeHost implements Host {
   @Override
   public void displayFocused(boolean focused) {
     calls.add("focused " + focused);
+  }
+
+  @Override
+  public List<String> support(Path file) throws IOException {
+    calls.add("support " + file);
+    Files.writeString(file, "facts");
+    return List.of("process.txt: this process");
   }
 
   @Override

@@ -1,5 +1,6 @@
 package org.robotui.core.internal.host;
 
+import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -39,6 +40,8 @@ import org.robotui.core.internal.compose.Composing;
 import org.robotui.core.internal.config.model.CheckedValue;
 import org.robotui.core.internal.config.model.ConfigResult;
 import org.robotui.core.internal.config.model.RuicConfig;
+import org.robotui.core.internal.facts.ProcessFacts;
+import org.robotui.core.internal.facts.SupportFile;
 import org.robotui.core.internal.life.OverlayStore;
 import org.robotui.core.internal.life.Plan;
 import org.robotui.core.internal.life.RuicRuntime;
@@ -67,6 +70,7 @@ public final class Core implements Host {
   private final HostEvents events = new HostEvents(notifier, ruics::remove);
   private final ConfigWatch configWatch = new ConfigWatch(files, this::reread);
   private final Rereading rereading = new Rereading(this::running);
+  private final ProcessFacts facts;
   private final DisplayWatch display;
   private final OutsideStop outside;
   private final Arbiters arbiters;
@@ -77,6 +81,7 @@ public final class Core implements Host {
   /** A core without RUICs. */
   public Core(CoreParts parts) {
     this.parts = parts;
+    this.facts = new ProcessFacts(configWatch::files, () -> RobotFacts.lines(ruics), parts.bundles()::states);
     this.display = new DisplayWatch(parts.clock());
     this.outside = new OutsideStop(parts.state().run(), files, parts.wall());
     this.arbiters = new Arbiters(parts.clock(), display, outside);
@@ -125,7 +130,7 @@ public final class Core implements Host {
 
   @Override
   public List<Problem> load(Path file) {
-    outside.begin(arbiters::stopAll, message -> events.alert("", message));
+    outside.begin(arbiters::stopAll, facts::lines, message -> events.alert("", message));
     configWatch.add(file);
     rereading.forgetEnded(file);
     return read(file).problems();
@@ -230,6 +235,13 @@ public final class Core implements Host {
   public void displayFocused(boolean focused) {
     display.focus(focused);
     arbiters.recheckAll();
+  }
+
+  @Override
+  public List<String> support(Path file) throws IOException {
+    Optional<Path> home = Optional.ofNullable(System.getProperty("robotui.home")).map(Path::of);
+    return new SupportFile(parts.state().path(), home).write(file, configWatch.files(),
+        Map.of("process.txt", String.join("\n", facts.lines())));
   }
 
   @Override

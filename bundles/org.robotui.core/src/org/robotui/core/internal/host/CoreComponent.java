@@ -1,5 +1,6 @@
 package org.robotui.core.internal.host;
 
+import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
@@ -179,6 +180,11 @@ public final class CoreComponent implements Host {
   @Override
   public void displayFocused(boolean focused) {
     core.displayFocused(focused);
+  }
+
+  @Override
+  public List<String> support(Path file) throws IOException {
+    return core.support(file);
   }
 
   @Override

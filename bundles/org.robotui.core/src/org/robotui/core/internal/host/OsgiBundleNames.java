@@ -3,6 +3,7 @@ package org.robotui.core.internal.host;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -23,6 +24,9 @@ import org.robotui.core.internal.watch.BundleNames;
 final class OsgiBundleNames implements BundleNames {
   private static final List<String> PLATFORM = List.of("java.", "javax.", "jdk.", "sun.", "com.sun.");
   private static final int MOST = 10_000;
+  private static final Map<Integer, String> STATES = Map.of(Bundle.INSTALLED, "INSTALLED", Bundle.RESOLVED, "RESOLVED",
+      Bundle.STARTING, "STARTING", Bundle.ACTIVE, "ACTIVE", Bundle.STOPPING, "STOPPING", Bundle.UNINSTALLED,
+      "UNINSTALLED");
 
   private final BundleContext context;
   private volatile Known known = new Known(0, 0, Map.of());
@@ -71,6 +75,13 @@ final class OsgiBundleNames implements BundleNames {
     }
     used.remove(bundle);
     return used;
+  }
+
+  @Override
+  public List<String> states() {
+    return Arrays.stream(context.getBundles()).map(each -> String.format(Locale.ROOT, "%4d  %-11s %s %s",
+        each.getBundleId(), STATES.getOrDefault(each.getState(), "?"), each.getSymbolicName(), each.getVersion()))
+        .toList();
   }
 
   private static Stream<String> packages(Bundle bundle) {

@@ -3,17 +3,22 @@ package org.robotui.core.internal.host;
 import java.nio.file.Path;
 import java.time.Instant;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.function.Supplier;
 import org.robotui.api.command.Principal;
 import org.robotui.core.internal.command.StopListener;
 import org.robotui.core.internal.stop.StopRecord;
 import org.robotui.core.internal.stop.StopSocket;
 import org.robotui.core.internal.time.WallClock;
 
-/** A stop that comes from outside of the process, and what the next start has to know of stops. */
+/**
+ * A stop that comes from outside of the process, and what the next start has to know of stops. What this process knows
+ * of itself is asked for in the same way.
+ */
 final class OutsideStop implements StopListener, AutoCloseable {
   private static final Principal BY = new Principal("robotui-stop", "./robotui stop", Principal.Kind.SCRIPT);
 
@@ -30,10 +35,11 @@ final class OutsideStop implements StopListener, AutoCloseable {
   }
 
   /** Once there are robots to stop; whoever only checks a configuration leaves no trace. */
-  synchronized void begin(Function<Principal, List<String>> stopAll, Consumer<String> tell) {
+  synchronized void begin(Function<Principal, List<String>> stopAll, Supplier<List<String>> facts,
+      Consumer<String> tell) {
     if (!begun) {
       begun = true;
-      socket = Optional.of(new StopSocket(folder, () -> told(stopAll.apply(BY))));
+      socket = Optional.of(new StopSocket(folder, Map.of("stop", () -> told(stopAll.apply(BY)), "facts", facts)));
       files.execute(() -> record.takeLeft().forEach(tell));
     }
   }

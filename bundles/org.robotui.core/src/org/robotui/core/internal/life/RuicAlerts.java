@@ -1,15 +1,21 @@
 package org.robotui.core.internal.life;
 
+import java.nio.file.Path;
 import java.time.Instant;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Supplier;
 import org.robotui.api.alert.Alert;
 import org.robotui.api.alert.AlertBoard;
+import org.robotui.api.alert.AlertEvent;
+import org.robotui.api.alert.AlertEvent.Kind;
 import org.robotui.api.alert.AlertId;
 import org.robotui.api.alert.AlertSource;
+import org.robotui.core.internal.config.model.KeptAlerts;
+import org.robotui.core.internal.config.model.RuicConfig;
 import org.robotui.core.internal.time.WallClock;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -19,17 +25,67 @@ final class RuicAlerts implements AlertBoard {
   private static final Logger LOG = LoggerFactory.getLogger(RuicAlerts.class);
   /** A view that names every alert differently must not fill the memory. */
   static final int MOST = 200;
+  private static final AlertId ALL = new AlertId("", "");
   private static final long NANOS = 1_000_000_000L;
   private static final Comparator<Alert> ORDER = Comparator.comparing(Alert::acknowledged)
       .thenComparing(alert -> !alert.lasting()).thenComparing(Alert::since, Comparator.reverseOrder());
 
   private final WallClock clock;
   private final Map<AlertId, Alert> alerts = new LinkedHashMap<>(); // under the lock, as all below
-  private final Map<AlertId, Instant> muted = new LinkedHashMap<>(); // in the order of muting
-  private Optional<Instant> allMuted = Optional.empty();
+  private final Map<AlertId, Instant> muted; // in the order of muting
+  private final AlertHistory history;
+  private final Supplier<String> user;
+  private final AlertStore store;
+  private Optional<Instant> allMuted;
 
-  RuicAlerts(WallClock clock) {
+  /**
+   * With what was kept.
+   *
+   * @param clock this machine's
+   * @param user who acknowledges and mutes
+   * @param store where that is kept
+   */
+  RuicAlerts(WallClock clock, Supplier<String> user, AlertStore store) {
     this.clock = clock;
+    this.user = user;
+    this.store = store;
+    KeptAlerts kept = store.read();
+    this.muted = new LinkedHashMap<>(kept.muted());
+    this.history = new AlertHistory(kept.history());
+    this.allMuted = kept.allMuted();
+  }
+
+  /** Those of a RUIC, with what was kept of them beside the files of its robot interfaces. */
+  static RuicAlerts of(RuicConfig config, Services services) {
+    Path file = AlertStore.file(services.stateFolder().resolveSibling("alerts"), config.file(), config.name());
+    return new RuicAlerts(services.wall(), () -> services.stage().get().principal().label(),
+        new AlertStore(file, services.timer()));
+  }
+
+  /** Writes what was not written yet. Blocks for the file. */
+  void save() {
+    store.save(this::kept);
+  }
+
+  private synchronized KeptAlerts kept() {
+    muted.values().removeIf(when -> !isToCome(when));
+    return new KeptAlerts(new LinkedHashMap<>(muted), allMutedUntil(), history.all());
+  }
+
+  @Override
+  public synchronized List<AlertEvent> history() {
+    return history.all().reversed();
+  }
+
+  /** Something was done by the user. */
+  private void did(AlertId id, Kind kind, String value) {
+    history.add(new AlertEvent(now(), id, kind, "", value, user.get()));
+    store.changed(this::kept);
+  }
+
+  private void happened(AlertId id, Kind kind, String source, String value) {
+    history.happened(new AlertEvent(now(), id, kind, source, value, ""));
+    store.changed(this::kept);
   }
 
   /** Where a view says its own. */
@@ -37,9 +93,14 @@ final class RuicAlerts implements AlertBoard {
     return new Source(view);
   }
 
-  /** The view is there no more: nobody watches what it watched. */
-  synchronized void forget(String view) {
-    alerts.keySet().removeIf(id -> id.view().equals(view));
+  /**
+   * The view is there no more: nobody watches what it watched. It may be the end of all, so that the file is written.
+   */
+  void forget(String view) {
+    synchronized (this) {
+      alerts.keySet().removeIf(id -> id.view().equals(view));
+    }
+    save(); // without the lock of the board, which those that save take after that of the file
   }
 
   @Override
@@ -55,17 +116,25 @@ final class RuicAlerts implements AlertBoard {
   @Override
   public synchronized void acknowledge(AlertId id) {
     Alert alert = alerts.get(id);
-    if (alert != null && alert.lasting()) {
+    if (alert == null || alert.acknowledged()) {
+      return;
+    }
+    if (alert.lasting()) {
       alerts.put(id, state(alert, true, true));
     } else {
       alerts.remove(id);
     }
+    did(id, Kind.ACKNOWLEDGED, "");
   }
 
   @Override
   public synchronized void mute(AlertId alert, Optional<Instant> until) {
     muted.values().removeIf(when -> !isToCome(when));
-    muted.remove(alert);
+    boolean wasMuted = muted.remove(alert) != null;
+    Optional<Instant> next = until.filter(this::isToCome);
+    if (next.isPresent() || wasMuted) {
+      did(alert, next.isPresent() ? Kind.MUTED : Kind.UNMUTED, next.map(Instant::toString).orElse(""));
+    }
     until.filter(this::isToCome).ifPresent(when -> {
       keepRoom();
       muted.put(alert, when);
@@ -90,7 +159,12 @@ final class RuicAlerts implements AlertBoard {
 
   @Override
   public synchronized void muteAll(Optional<Instant> until) {
+    boolean wasMuted = allMutedUntil().isPresent();
     allMuted = until;
+    Optional<Instant> next = allMutedUntil();
+    if (next.isPresent() || wasMuted) {
+      did(ALL, next.isPresent() ? Kind.MUTED : Kind.UNMUTED, next.map(Instant::toString).orElse(""));
+    }
   }
 
   @Override
@@ -116,6 +190,7 @@ final class RuicAlerts implements AlertBoard {
       int times = before == null ? 1 : before.times() + 1;
       alerts.put(id, new Alert(id, condition, source, value, now(), times, true, false, Optional.empty()));
       dropOldest();
+      happened(id, Kind.BEGAN, source, value);
     }
   }
 
@@ -128,11 +203,15 @@ final class RuicAlerts implements AlertBoard {
 
   private synchronized void end(AlertId id) {
     Alert alert = alerts.get(id);
-    if (alert != null && alert.acknowledged()) {
+    if (alert == null || !alert.lasting()) {
+      return;
+    }
+    if (alert.acknowledged()) {
       alerts.remove(id);
-    } else if (alert != null) {
+    } else {
       alerts.put(id, state(alert, false, false));
     }
+    happened(id, Kind.ENDED, "", "");
   }
 
   private synchronized boolean isHeard(AlertId id) {

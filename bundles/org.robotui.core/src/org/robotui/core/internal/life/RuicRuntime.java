@@ -71,7 +71,7 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
     this.frames = new RuicFrames(config.frames());
     this.waits = config.startsShown();
     this.clock = new RuicClock(services.clock(), services.wall(), frames::clear);
-    this.alerts = new RuicAlerts(services.wall());
+    this.alerts = RuicAlerts.of(config, services);
     TrackedThreads threads = new TrackedThreads(config.name(), (t, e) -> LOG.error("{} ended", t.getName(), e));
     RuicParts parts =
         new RuicParts(this.config::get, this, services, worker.serial(), threads, clock, frames, alerts, overlay, this);

@@ -9,6 +9,7 @@ import java.nio.channels.SocketChannel;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Supplier;
 import org.robotui.net.socket.UserSocket;
@@ -16,25 +17,25 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Where {@code ./robotui stop} reaches this process: a socket in the file system that only its user can open. It has
- * threads of its own, so that it needs neither a window nor anything else that may hang. Who says {@code stop} is
- * answered with a line for each robot, and {@code done} at the end.
+ * Where {@code ./robotui stop} and {@code ./robotui support} reach this process: a socket in the file system that only
+ * its user can open. It has threads of its own, so that it needs neither a window nor anything else that may hang. Who
+ * says one of its words is answered with some lines, and {@code done} at the end.
  */
 public final class StopSocket implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(StopSocket.class);
   private static final int MOST_CHARACTERS = 16;
 
-  private final Supplier<List<String>> stop;
+  private final Map<String, Supplier<List<String>>> words;
   private final Optional<UserSocket> socket;
 
   /**
    * Listens from now on, as far as the folder allows that.
    *
    * @param folder of the sockets of all processes of this user; need not exist
-   * @param stop stops all robots and says for each what was done; must not wait for anything
+   * @param words what is done and answered where a word is said, such as {@code stop}; must not wait for anything
    */
-  public StopSocket(Path folder, Supplier<List<String>> stop) {
-    this.stop = stop;
+  public StopSocket(Path folder, Map<String, Supplier<List<String>>> words) {
+    this.words = Map.copyOf(words);
     this.socket = open(folder.resolve("stop-" + ProcessHandle.current().pid() + ".sock"));
   }
 
@@ -57,9 +58,10 @@ public final class StopSocket implements AutoCloseable {
     try (client) {
       BufferedReader in =
           new BufferedReader(new InputStreamReader(Channels.newInputStream(client), StandardCharsets.UTF_8));
-      if (line(in).equals("stop")) {
+      Supplier<List<String>> answer = words.get(line(in));
+      if (answer != null) {
         OutputStream out = Channels.newOutputStream(client);
-        out.write((String.join("\n", stop.get()) + "\ndone\n").getBytes(StandardCharsets.UTF_8));
+        out.write((String.join("\n", answer.get()) + "\ndone\n").getBytes(StandardCharsets.UTF_8));
       }
     } catch (IOException e) {
       LOG.debug("who asked has gone: {}", e.toString());

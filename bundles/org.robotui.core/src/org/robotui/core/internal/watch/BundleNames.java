@@ -1,5 +1,6 @@
 package org.robotui.core.internal.watch;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 
@@ -12,5 +13,10 @@ public interface BundleNames {
   /** The bundles whose packages or services a bundle uses now, by its symbolic name. */
   default Set<String> usedBy(String bundle) {
     return Set.of();
+  }
+
+  /** Every bundle with its version and state, a line each. */
+  default List<String> states() {
+    return List.of();
   }
 }

@@ -4,12 +4,22 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
 import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.ScheduledThreadPoolExecutor;
 import java.util.concurrent.atomic.AtomicLong;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.robotui.api.alert.Alert;
+import org.robotui.api.alert.AlertEvent;
+import org.robotui.api.alert.AlertEvent.Kind;
 import org.robotui.api.alert.AlertId;
 import org.robotui.api.alert.AlertSource;
 
@@ -18,8 +28,93 @@ class RuicAlertsTest {
   private static final AlertId LOW = new AlertId("sound", "Battery low");
 
   private final AtomicLong seconds = new AtomicLong(BEGIN.getEpochSecond());
-  private final RuicAlerts board = new RuicAlerts(() -> seconds.get() * 1_000_000_000L);
-  private final AlertSource source = board.source("sound");
+  private final ScheduledThreadPoolExecutor timer = new ScheduledThreadPoolExecutor(1);
+  @TempDir
+  private Path folder;
+  private RuicAlerts board;
+  private AlertSource source;
+
+  @BeforeEach
+  void start() {
+    board = new RuicAlerts(() -> seconds.get() * 1_000_000_000L, () -> "anna",
+        new AlertStore(AlertStore.file(folder, "demo.yaml", "Keira/1"), timer));
+    source = board.source("sound");
+  }
+
+  @AfterEach
+  void end() {
+    timer.shutdownNow();
+  }
+
+  /** As when the workbench ends and starts. */
+  private void restart() {
+    board.save();
+    start();
+  }
+
+  @Test
+  void whatHappensIsInTheHistoryWithWhoDidIt() {
+    low("0.18");
+    pass(20);
+    low("0.17");
+    board.acknowledge(LOW);
+    board.acknowledge(LOW);
+    pass(20);
+    source.end("Battery low");
+    source.end("Battery low");
+
+    assertEquals(List.of(
+        new AlertEvent(BEGIN.plusSeconds(40), LOW, Kind.ENDED, "", "", ""),
+        new AlertEvent(BEGIN.plusSeconds(20), LOW, Kind.ACKNOWLEDGED, "", "", "anna"),
+        new AlertEvent(BEGIN, LOW, Kind.BEGAN, "battery.charge", "0.18", "")), board.history());
+  }
+
+  @Test
+  void mutesAndTheHistoryOutliveARestart() throws IOException {
+    AlertId other = new AlertId("sound", "Hot");
+    low("0.18");
+    board.mute(LOW, Optional.of(BEGIN.plusSeconds(600)));
+    board.mute(other, Optional.of(BEGIN.plusSeconds(30)));
+    board.muteAll(Optional.of(Instant.MAX));
+    List<AlertEvent> history = board.history();
+    pass(60);
+    restart();
+
+    assertEquals(Optional.of(Instant.MAX), board.allMutedUntil());
+    assertEquals(history, board.history());
+    board.muteAll(Optional.empty());
+    assertFalse(source.isHeard("Battery low"));
+    assertTrue(source.isHeard("Hot"), "its time is over");
+    assertEquals("rw-------", PosixFilePermissions
+        .toString(Files.getPosixFilePermissions(AlertStore.file(folder, "demo.yaml", "Keira/1"))));
+    restart();
+    assertEquals(Optional.empty(), board.allMutedUntil());
+    pass(600);
+    assertTrue(source.isHeard("Battery low"));
+  }
+
+  @Test
+  void aDamagedFileIsNoReasonToFail() throws IOException {
+    low("0.18");
+    restart();
+    Files.writeString(AlertStore.file(folder, "demo.yaml", "Keira/1"), "history: [{time: yesterday}]");
+    start();
+    assertEquals(List.of(), board.history());
+  }
+
+  @Test
+  void whatFluttersAndWhatIsOldDoNotFillTheHistory() {
+    for (int i = 0; i < 100; i++) {
+      low("0.18");
+      source.end("Battery low");
+      pass(1);
+    }
+    assertEquals(20, board.history().size());
+    for (int i = 0; i < 2 * AlertHistory.MOST; i++) {
+      board.mute(LOW, Optional.of(Instant.MAX));
+    }
+    assertEquals(AlertHistory.MOST, board.history().size());
+  }
 
   @Test
   void anAlertIsListedWithWhatIsSeenNowAndSinceWhen() {

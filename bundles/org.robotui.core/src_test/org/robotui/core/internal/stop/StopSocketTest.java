@@ -12,6 +12,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -26,10 +27,10 @@ class StopSocketTest {
   }
 
   private StopSocket open() {
-    return new StopSocket(folder.resolve("run"), () -> {
+    return new StopSocket(folder.resolve("run"), Map.of("stop", () -> {
       stops.incrementAndGet();
       return List.of("Keira: stopped", "Natalie: stopped");
-    });
+    }));
   }
 
   private String say(String words) throws IOException {

@@ -50,7 +50,8 @@ final class AlertsUic extends SurfaceUic<AlertsSurface> implements AlertActions 
   public List<ViewKey> keys() {
     return List.of(
         new ViewKey("A", "Acknowledge the selected alerts"),
-        new ViewKey("M", "Mute them, or unmute them"));
+        new ViewKey("M", "Mute them, or unmute them"),
+        new ViewKey("H", "Show the history, or the alerts again"));
   }
 
   @Override
@@ -82,7 +83,7 @@ final class AlertsUic extends SurfaceUic<AlertsSurface> implements AlertActions 
 
   private Page look() {
     return new Page(board.alerts(), board.allMutedUntil(),
-        Math.round(context.settings().current().number(AlertsType.SNOOZE)));
+        Math.round(context.settings().current().number(AlertsType.SNOOZE)), board.history());
   }
 
   private Optional<Instant> until(Optional<Long> minutes) {

@@ -4,6 +4,7 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
 import org.robotui.api.alert.Alert;
+import org.robotui.api.alert.AlertEvent;
 
 /**
  * What the view shows.
@@ -11,8 +12,9 @@ import org.robotui.api.alert.Alert;
  * @param alerts in the order in which they matter
  * @param mutedUntil until when none is heard; empty where they are heard
  * @param snooze for how long one press mutes, minutes
+ * @param history what happened, the newest first
  */
-record Page(List<Alert> alerts, Optional<Instant> mutedUntil, long snooze) {
+record Page(List<Alert> alerts, Optional<Instant> mutedUntil, long snooze, List<AlertEvent> history) {
   /** How many wait for somebody. */
   long waiting() {
     return alerts.stream().filter(Alert::isNew).count();

@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.time.Clock;
+import java.time.Instant;
+import java.time.ZoneOffset;
 import java.util.Optional;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.layout.FillLayout;
@@ -16,12 +18,17 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIf;
+import org.robotui.api.alert.AlertEvent;
+import org.robotui.api.alert.AlertId;
+import org.robotui.api.alert.AlertWords;
 import org.robotui.testkit.Displays;
+import org.robotui.testkit.FakeAlerts;
 import org.robotui.testkit.FakeUicContext;
 import org.robotui.testkit.TestDisplay;
 import org.robotui.ui.Theme;
 import org.robotui.ui.Themes;
 import org.robotui.ui.UiContext;
+import org.robotui.ui.control.FilterField;
 import org.robotui.ui.control.QuietButton;
 
 @EnabledIf(value = Displays.AVAILABLE, disabledReason = Displays.REASON)
@@ -77,13 +84,36 @@ class AlertsSwtTest {
     assertFalse(button(1).isEnabled(), "nothing waits any more");
   }
 
+  @Test
+  void theHistoryIsShownAndFilteredAndTheAlertsAgain() {
+    AlertId id = new AlertId(FakeAlerts.VIEW, "Battery low");
+    context.alerts().happened(new AlertEvent(Instant.now(), id, AlertEvent.Kind.BEGAN, "battery.charge", "0.18", ""));
+    context.alerts().happened(new AlertEvent(Instant.now(), id, AlertEvent.Kind.ACKNOWLEDGED, "", "", "anna"));
+    uic.tick(1);
+    button(3).press();
+    assertTrue(button(3).isChecked());
+    assertFalse(button(0).isVisible());
+    FilterField filter = (FilterField) bar().getChildren()[2];
+    assertTrue(filter.isVisible());
+    EventColumns columns = new EventColumns(new AlertWords(ZoneOffset.UTC));
+    AlertEvent newest = context.alerts().history().getFirst();
+    assertTrue(columns.fits(newest, "ANNA battery"));
+    assertFalse(columns.fits(newest, "anna began"));
+    key(TestDisplay.get().getFocusControl(), 'h', 'h');
+    assertTrue(button(0).isVisible());
+    assertFalse(filter.isVisible());
+  }
+
   private boolean alertIsMuted() {
     return context.alerts().find("Battery low").flatMap(a -> a.mutedUntil()).isPresent();
   }
 
+  private Composite bar() {
+    return (Composite) ((Composite) view).getChildren()[0];
+  }
+
   private QuietButton button(int number) {
-    Composite bar = (Composite) ((Composite) view).getChildren()[0];
-    return Optional.of(bar.getChildren()[number]).map(QuietButton.class::cast).orElseThrow();
+    return Optional.of(bar().getChildren()[number]).map(QuietButton.class::cast).orElseThrow();
   }
 
   private static void key(Control control, char character, int code) {

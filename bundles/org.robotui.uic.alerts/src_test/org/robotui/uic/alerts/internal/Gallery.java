@@ -5,7 +5,9 @@ import java.time.Instant;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.eclipse.swt.widgets.Composite;
+import org.eclipse.swt.widgets.Control;
 import org.robotui.api.alert.Alert;
+import org.robotui.api.alert.AlertEvent;
 import org.robotui.api.alert.AlertId;
 import org.robotui.testkit.FakeAlerts;
 import org.robotui.testkit.FakeUicContext;
@@ -14,6 +16,7 @@ import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 import org.robotui.ui.Themes;
 import org.robotui.ui.UiContext;
+import org.robotui.ui.control.QuietButton;
 
 /** Shows the view in all its states side by side, for a person to look at: {@code Gallery dark|light}. */
 record Gallery(GalleryWindow window, Theme theme) {
@@ -36,6 +39,31 @@ record Gallery(GalleryWindow window, Theme theme) {
       typical(alerts);
       alerts.muteAll(Optional.of(Instant.MAX));
     });
+    turn(cell(0, 652, 980, 300, Gallery::remembered));
+    turn(cell(986, 652, 300, 300, Gallery::remembered));
+    turn(cell(1292, 652, 308, 300, alerts -> {}));
+  }
+
+  /** Has the history shown. */
+  private static void turn(Control view) {
+    Control[] buttons = ((Composite) ((Composite) view).getChildren()[0]).getChildren();
+    ((QuietButton) buttons[buttons.length - 1]).press();
+  }
+
+  private static void remembered(FakeAlerts alerts) {
+    typical(alerts);
+    happened(alerts, 90_000, "Motor hot", AlertEvent.Kind.BEGAN, "WARNING: 71 degrees", "");
+    happened(alerts, 89_000, "Motor hot", AlertEvent.Kind.ACKNOWLEDGED, "", "anna@lab-3");
+    happened(alerts, 800, "Motor hot", AlertEvent.Kind.ENDED, "", "");
+    happened(alerts, 95, "Battery low", AlertEvent.Kind.BEGAN, "0.18", "");
+    happened(alerts, 60, "", AlertEvent.Kind.MUTED, NOW.plusSeconds(600).toString(), "anna@lab-3");
+    happened(alerts, 30, "", AlertEvent.Kind.UNMUTED, "", "anna@lab-3");
+  }
+
+  private static void happened(FakeAlerts alerts, long ago, String name, AlertEvent.Kind kind, String value,
+      String by) {
+    String source = kind == AlertEvent.Kind.BEGAN ? "battery.charge" : "";
+    alerts.happened(new AlertEvent(NOW.minusSeconds(ago), new AlertId(FakeAlerts.VIEW, name), kind, source, value, by));
   }
 
   private static void typical(FakeAlerts alerts) {
@@ -57,13 +85,14 @@ record Gallery(GalleryWindow window, Theme theme) {
         lasting, acknowledged, muted));
   }
 
-  private void cell(int x, int y, int width, int height, Consumer<FakeAlerts> prepare) {
+  private Control cell(int x, int y, int width, int height, Consumer<FakeAlerts> prepare) {
     FakeUicContext context = new FakeUicContext("alerts", AlertsType.SCHEMA);
     prepare.accept(context.alerts());
     Composite part = window.cell(x, y, width, height);
     AlertsUic uic = new AlertsUic(context, Clock.systemDefaultZone());
     uic.tick(System.nanoTime());
-    uic.createControl(part, UiContext.of(theme, part::setData));
+    Control view = uic.createControl(part, UiContext.of(theme, part::setData));
     part.layout(true, true);
+    return view;
   }
 }

@@ -41,11 +41,16 @@ final class AlertReader {
         throw new IllegalArgumentException("an entry of a log does not last; leave out '" + SoundType.FOR + "'");
       }
       return new AlertConfig(name, item.text(SoundType.WHEN), condition, Sound.parse(item.placed(SoundType.SOUND)),
-          item.number(SoundType.VOLUME),
+          item.number(SoundType.VOLUME), words(item, name),
           nanos(item, SoundType.FOR), nanos(item, SoundType.REPEAT), item.flag(SoundType.MUTED));
     } catch (IllegalArgumentException e) {
       throw new IllegalArgumentException("alert " + number + " (" + name + "): " + e.getMessage(), e);
     }
+  }
+
+  private static String words(Settings item, String name) {
+    String own = item.has(SoundType.WORDS) ? item.text(SoundType.WORDS) : name;
+    return item.flag(SoundType.SPEECH) ? own : "";
   }
 
   private static long nanos(Settings item, String setting) {

@@ -21,6 +21,7 @@ import org.robotui.data.Data;
 import org.robotui.uic.sound.internal.alert.Conditions;
 import org.robotui.uic.sound.internal.tone.LineSpeaker;
 import org.robotui.uic.sound.internal.tone.Player;
+import org.robotui.uic.sound.internal.tone.ProgramVoice;
 import org.robotui.uic.sound.internal.tone.Sound;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -38,6 +39,8 @@ public final class SoundType implements UicType {
   static final String FOR = "for";
   static final String SOUND = "sound";
   static final String REPEAT = "repeat";
+  static final String SPEECH = "speech";
+  static final String WORDS = "words";
 
   /** What the conditions look at; nothing else is asked of the robot. */
   static final StreamPort<Data> SIGNALS =
@@ -48,7 +51,8 @@ public final class SoundType implements UicType {
   static final Schema ALERT = Schema.of(
       Setting.optional(NAME, new ValueType.Text(), "What users read; without it, the condition."),
       Setting.required(WHEN, new ValueType.Text(TextRule.readBy("a condition", text -> Conditions.parse(text, 0))),
-          "For example battery charge < 0.2, scan stale, link lost, diagnostics >= ERROR, log >= ERROR."),
+          "For example battery charge < 0.2, scan stale, link lost, diagnostics >= ERROR, log >= ERROR, or several with "
+              + "and, or, not, brackets, + - * /, age(scan) and rate(scan)."),
       Setting.of(HYSTERESIS, new ValueType.Num(0, MOST, ""), 0.0,
           "By how much a number must come back for the alert to end, in its unit."),
       Setting.of(FOR, new ValueType.Num(0, 3600, "s"), 0.0, "How long the condition must hold before."),
@@ -57,6 +61,10 @@ public final class SoundType implements UicType {
               new ValueType.Text(TextRule.readBy("beep, chime, alarm, or the path of a .wav file", Sound::parse))),
           Placed.nowhere("beep"), "beep, chime, alarm, or the path of a .wav file, relative to the configuration."),
       Setting.of(VOLUME, new ValueType.Num(0, 1, ""), 1.0, "How loud, 0 to 1."),
+      Setting.of(SPEECH, new ValueType.Flag(), false,
+          "Whether it is spoken as well, by spd-say or espeak-ng where one of them is installed."),
+      Setting.optional(WORDS, new ValueType.Text(),
+          "What is spoken behind the name of the robot; without it, the name of the alert."),
       Setting.of(REPEAT, new ValueType.Num(0, 3600, "s"), 10.0, "How often it is heard while it lasts; 0 for once."),
       Setting.of(MUTED, new ValueType.Flag(), false, "Whether it is only written to the log."));
 
@@ -109,7 +117,8 @@ public final class SoundType implements UicType {
   public Uic create(UicContext context, Settings settings) {
     String who = context.ruic().name() + "." + context.instance();
     // A lambda, for a reference to the constructor would link the class at once, also where Java has no sound.
-    Player player = new Player(context.background(), () -> new LineSpeaker(), TerminalBell::ring,
+    Player player = new Player(context.background(), () -> new LineSpeaker(),
+        new ProgramVoice(System.getenv().getOrDefault("PATH", "/usr/local/bin:/usr/bin:/bin")), TerminalBell::ring,
         reason -> LOG.warn("{}: alerts are written here but not heard: {}", who, reason));
     return new SoundUic(context, AlertReader.read(settings), player);
   }

@@ -83,8 +83,12 @@ final class SoundUic implements Uic {
     Settings settings = context.settings().current();
     if (!alert.config().muted() && context.alerts().isHeard(alert.config().name())) {
       player.play(alert.config().name(), alert.config().sound(),
-          alert.config().volume() * settings.number(SoundType.VOLUME));
+          alert.config().volume() * settings.number(SoundType.VOLUME), words(alert.config()));
     }
+  }
+
+  private String words(AlertConfig config) {
+    return config.words().isEmpty() ? "" : robot + ": " + config.words();
   }
 
   /** What the settings say of muting counts when it changes, so that users can unmute by hand. */

@@ -66,6 +66,17 @@ class SoundUicTest {
   }
 
   @Test
+  void anAlertIsSpokenBehindTheNameOfTheRobotWhereThatIsWanted() {
+    SoundUic uic = uic(Map.of("when", "battery charge < 0.2 and battery charge > 0.1", "speech", true, "name", "Low"),
+        Map.of("when", "battery charge < 0.2 or link lost", "speech", true, "words", "go home"));
+    charge(0.15);
+    uic.tick(0);
+    String robot = context.ruic().name();
+    String beep = Tone.BEEP.sound().samples().length + " at 1.0";
+    assertEquals(List.of(beep, robot + ": Low", beep, robot + ": go home"), heard);
+  }
+
+  @Test
   void mutedAlertsAreNotHeardButGoOn() {
     SoundUic uic = uic(Map.of("when", "battery charge < 0.2", "repeat", 1.0));
     context.settings().set(SoundType.MUTED, true);
@@ -215,7 +226,7 @@ class SoundUicTest {
     Settings settings = settings(List.of(alerts).stream().map(SoundUicTest::alert).toList());
     Player player =
         new Player(Runnable::run, () -> (sound, volume) -> heard.add(sound.samples().length + " at " + volume),
-            () -> heard.add("bell"), heard::add);
+            heard::add, () -> heard.add("bell"), heard::add);
     return new SoundUic(context, AlertReader.read(settings), player);
   }
 

@@ -37,7 +37,8 @@ public final class HelpItems extends CompoundContributionItem implements IWorkbe
     return items.toArray(IContributionItem[]::new);
   }
 
-  private static Path installation() {
+  /** Where the product lies. */
+  static Path installation() {
     // The platform does not escape what stands in its addresses.
     return Path.of(Platform.getInstallLocation().getURL().getPath());
   }

@@ -37,6 +37,8 @@ public final class RobotCommands extends AbstractHandler {
       case "exchange" -> actions.withSelected(actions::exchange);
       case "reuse" -> actions.reuse();
       case "software" -> actions.software();
+      case "about" -> new AboutAction(session, window).open();
+      case "support" -> new SupportSaving(session, window.getShell()).choose();
       case "view.add" -> actions.addView();
       case "view.close" -> actions.layout().ifPresent(LayoutActions::close);
       case "view.maximize" -> actions.layout().ifPresent(layout -> layout.surface().maximize());

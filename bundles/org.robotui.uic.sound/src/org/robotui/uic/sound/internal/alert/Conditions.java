@@ -27,12 +27,17 @@ public final class Conditions {
   /**
    * Reads a condition.
    *
-   * @param text for example {@code battery charge < 0.2}
+   * @param text for example {@code battery charge < 0.2}, or several with {@code and}, {@code or}, {@code not},
+   * brackets, arithmetic, {@code age(scan)} and {@code rate(scan)}
    * @param slack hysteresis of numbers, not negative
    * @return the condition
    * @throws IllegalArgumentException where it cannot be read; the message says what is wrong and what could be written
    */
   public static Condition parse(String text, double slack) {
+    ConditionWords pieces = new ConditionWords(text);
+    if (pieces.combine()) {
+      return new ExpressionCondition(new ConditionParser(pieces).parse(), slack);
+    }
     List<String> words = words(text);
     Optional<Comparison> sign = words.stream().map(Comparison::find).flatMap(Optional::stream).findFirst();
     if (sign.isEmpty()) {
@@ -50,6 +55,11 @@ public final class Conditions {
     }
     throw new IllegalArgumentException(
         "'" + text + "' cannot be read; write a source, a field, a comparison and a value, for example " + FORMS);
+  }
+
+  /** Whether a word is a level of diagnostics. */
+  static boolean isLevel(String word) {
+    return find(Diagnostics.Level.class, word).isPresent();
   }
 
   private static Condition state(String text, List<String> words) {
@@ -81,7 +91,7 @@ public final class Conditions {
 
   private static boolean levelOf(String kind, String word) {
     return kind.equals("log") ? find(Severity.class, word).isPresent()
-        : find(Diagnostics.Level.class, word).isPresent();
+        : isLevel(word);
   }
 
   private static <E extends Enum<E>> E constant(Class<E> type, String text, String word) {

@@ -4,14 +4,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Predicate;
 import org.robotui.api.input.Numerals;
-import org.robotui.api.port.Envelope;
 import org.robotui.api.port.Input;
-import org.robotui.api.port.InputState;
-import org.robotui.data.Data;
-import org.robotui.data.record.DataRecord;
-import org.robotui.data.record.DynamicRecord;
 import org.robotui.data.record.FieldPath;
-import org.robotui.data.record.FieldValue;
 
 /**
  * Compares a field of what a source sends. The field is looked for by the robot's name first, then by ours.
@@ -43,31 +37,12 @@ record FieldCondition(SourceName source, FieldPath path, Comparison comparison, 
   }
 
   private Verdict check(Signals.Reading reading, boolean active) {
-    if (!(reading.state() instanceof InputState.Live) || reading.newest().isEmpty()) {
-      return new Verdict.Unknown(reading.name() + " sends nothing now", false);
-    }
-    Envelope<? extends Data> newest = reading.newest().getFirst();
-    // Ours first, as in all views: the robot's field of that name may mean something else (ROS: ampere hours, not a
-    // share).
-    Optional<FieldValue> value = DataRecord.of(newest.value()).at(path).or(() -> newest.record().at(path));
-    return value.map(found -> compare(reading.name(), found, active))
-        .orElseGet(() -> noSuchField(reading.name(), newest.record()));
-  }
-
-  private Verdict noSuchField(String name, DynamicRecord record) {
-    return new Verdict.Unknown(
-        name + " (" + record.schema() + ") has no field '" + path + "'; it has " + String.join(", ", record.fields()),
-        true);
-  }
-
-  private Verdict compare(String name, FieldValue found, boolean active) {
-    return switch (found) {
-      case FieldValue.Num n -> number(name, n.value(), n.exact(), active);
-      case FieldValue.Time t -> number(name, t.nanos() * 1e-9, t.nanos() * 1e-9 + " s", active);
-      case FieldValue.Flag f -> word(name, Boolean.toString(f.value()));
-      case FieldValue.Text t -> word(name, t.value());
-      default -> new Verdict.Unknown(name + "." + path + " is no single value; name one of its elements or fields",
-          true);
+    String name = reading.name();
+    return switch (FieldLookup.of(reading, path)) {
+      case Operand.Number n -> number(name, n.value(), n.text(), active);
+      case Operand.Truth t -> word(name, Boolean.toString(t.value()));
+      case Operand.Word w -> word(name, w.text());
+      case Operand.Missing m -> new Verdict.Unknown(m.reason(), m.wrong());
     };
   }
 

@@ -9,8 +9,8 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 
 /**
- * Plays one sound after the other on a thread that may block. Where nothing can be heard it says so once, rings the
- * bell instead, and tries the device again from time to time. Safe for all threads.
+ * Plays one sound after the other, and speaks, on a thread that may block. Where nothing can be heard it says so once,
+ * rings the bell instead, and tries the device again from time to time. Safe for all threads.
  */
 public final class Player {
   /** Who has more to say at once is not understood anyway. */
@@ -25,7 +25,9 @@ public final class Player {
   private final Deque<Piece> waiting = new ArrayDeque<>();
   private boolean running;
   private Optional<Speaker> speaker = Optional.empty();
+  private final Voice voice;
   private String said = "";
+  private String saidOfVoice = "";
   private long silentUntil = Long.MIN_VALUE;
 
   /**
@@ -33,12 +35,15 @@ public final class Player {
    *
    * @param executor gives threads that may block
    * @param speakers makes the speaker, on such a thread; may fail to link where the platform has no sound
+   * @param voice speaks, on such a thread
    * @param bell rings in place of a sound that cannot be heard
    * @param trouble is told why nothing can be heard, each reason once
    */
-  public Player(Executor executor, Supplier<Speaker> speakers, Runnable bell, Consumer<String> trouble) {
+  public Player(Executor executor, Supplier<Speaker> speakers, Voice voice, Runnable bell,
+      Consumer<String> trouble) {
     this.executor = executor;
     this.speakers = speakers;
+    this.voice = voice;
     this.bell = bell;
     this.trouble = trouble;
   }
@@ -49,14 +54,15 @@ public final class Player {
    * @param who for what it is played; what waits already is not played twice
    * @param sound what to play
    * @param volume 0 to 1
+   * @param words what is spoken after it; empty for nothing
    */
-  public void play(String who, Sound sound, double volume) {
+  public void play(String who, Sound sound, double volume, String words) {
     synchronized (this) {
       boolean there = waiting.stream().anyMatch(piece -> piece.who().equals(who));
       if (there || waiting.size() >= MOST_WAITING) {
         return;
       }
-      waiting.add(new Piece(who, sound, volume));
+      waiting.add(new Piece(who, sound, volume, words));
       if (running) {
         return;
       }
@@ -77,6 +83,7 @@ public final class Player {
     try {
       for (Optional<Piece> next = next(); next.isPresent(); next = next()) {
         play(next.get());
+        speak(next.get().words());
       }
     } catch (InterruptedException e) {
       stop();
@@ -113,6 +120,20 @@ public final class Player {
     }
   }
 
+  /** Words reach the ear by another way than sounds: where one is barred, the other may be open. */
+  private void speak(String words) throws InterruptedException {
+    try {
+      if (!words.isEmpty()) {
+        voice.say(words);
+      }
+    } catch (SilentException e) {
+      if (!saidOfVoice.equals(e.getMessage())) {
+        saidOfVoice = e.getMessage();
+        trouble.accept(saidOfVoice);
+      }
+    }
+  }
+
   /** A file that cannot be read is no reason for silence. */
   private Pcm pcm(Sound sound) {
     try {
@@ -136,5 +157,5 @@ public final class Player {
     }
   }
 
-  private record Piece(String who, Sound sound, double volume) {}
+  private record Piece(String who, Sound sound, double volume, String words) {}
 }

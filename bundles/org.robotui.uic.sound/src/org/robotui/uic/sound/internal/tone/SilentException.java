@@ -8,4 +8,9 @@ public final class SilentException extends Exception {
   public SilentException(String message, Throwable cause) {
     super(message, cause);
   }
+
+  /** Says why, where nothing was thrown. */
+  public SilentException(String message) {
+    super(message);
+  }
 }

@@ -111,7 +111,7 @@ class AlertTest {
   }
 
   private static Alert alert(String when, double slack, double forSeconds, double repeat) {
-    return new Alert(new AlertConfig(when, when, Conditions.parse(when, slack), new Sound.Made(Tone.BEEP), 1,
+    return new Alert(new AlertConfig(when, when, Conditions.parse(when, slack), new Sound.Made(Tone.BEEP), 1, "",
         Math.round(forSeconds * 1e9), Math.round(repeat * 1e9), false));
   }
 }

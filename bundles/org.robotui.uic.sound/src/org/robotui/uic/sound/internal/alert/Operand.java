@@ -1,0 +1,25 @@
+package org.robotui.uic.sound.internal.alert;
+
+/** What a part of a condition comes to. */
+sealed interface Operand {
+  /**
+   * A number.
+   *
+   * @param value it; what is not known is not a number
+   * @param text as the robot said it
+   */
+  record Number(double value, String text) implements Operand {
+    static Number of(double value) {
+      return new Number(value, Double.toString(value));
+    }
+  }
+
+  /** A word. */
+  record Word(String text) implements Operand {}
+
+  /** Whether something is so. */
+  record Truth(boolean value) implements Operand {}
+
+  /** It cannot be told; as of {@link Verdict.Unknown}. */
+  record Missing(String reason, boolean wrong) implements Operand {}
+}
