@@ -36,6 +36,7 @@ import org.robotui.api.port.SourceId;
 import org.robotui.core.internal.support.Await;
 import org.robotui.core.internal.support.CoreBench;
 import org.robotui.core.internal.support.FakeRobot;
+import org.robotui.core.internal.support.FakeView;
 import org.robotui.core.internal.support.Samples;
 import org.robotui.data.Data;
 import org.robotui.data.command.VelocityCommand;
@@ -49,6 +50,8 @@ class ProgramAccessTest {
           rfics:
             base:
               type: fake
+          uics:
+            empty: {}
       """;
   private static final SourceId SCAN = new SourceId("base", "scan");
   private static final SourceId VELOCITY = new SourceId("base", "cmd_vel");
@@ -70,6 +73,7 @@ class ProgramAccessTest {
     bench = new CoreBench(folder);
     robot.onStart(this::offer);
     bench.registry.add(robot, "org.robotui.rfic.fake");
+    bench.registry.add(new FakeView("empty"), "org.robotui.uic.empty");
     assertEquals(List.of(), bench.load(YAML));
     ruic = bench.ruic();
     Await.until("the robot is there", () -> !ruic.snapshot().ports().isEmpty());

@@ -1,5 +1,6 @@
 package org.robotui.script.internal.engine;
 
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
 import org.mozilla.javascript.Context;
@@ -46,8 +47,8 @@ final class RecordView extends ScriptableObject {
   public Object[] getIds() {
     Object[] own = super.getIds();
     Object[] all = record.fields().stream().filter(name -> record.field(name).isPresent()).toArray();
-    Object[] both = java.util.Arrays.copyOf(all, all.length + own.length);
+    Object[] both = Arrays.copyOf(all, all.length + own.length);
     System.arraycopy(own, 0, both, all.length, own.length);
-    return own.length == 0 ? all : java.util.Arrays.stream(both).distinct().toArray();
+    return own.length == 0 ? all : Arrays.stream(both).distinct().toArray();
   }
 }
