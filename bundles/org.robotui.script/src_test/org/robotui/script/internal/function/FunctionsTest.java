@@ -227,7 +227,7 @@ class FunctionsTest {
 
   @Test
   void completesFunctionsPortsAndViews() {
-    assertEquals(List.of("waitFor", "waitUntil"), console.session.complete("wait").words());
+    assertEquals(List.of("waitFor", "waitForLink", "waitUntil"), console.session.complete("wait").words());
     assertEquals(List.of("base.cmd_vel"), console.session.complete("x = value(\"base.").words());
     assertEquals(11, console.session.complete("x = value(\"base.").start());
     assertEquals(List.of("Natalie"), console.session.complete("use('N").words());
