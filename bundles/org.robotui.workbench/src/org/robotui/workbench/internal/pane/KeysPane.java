@@ -61,6 +61,9 @@ public final class KeysPane extends Composite {
     filter.setLayoutData(Boxes.line());
     filter.onDown(this::toFirst).onEnter(this::toFirst);
     table = new RowTable<>(this, theme, columns(), (KeyRow row) -> row.command().id());
+    table.list().control()
+        .addListener(SWT.Traverse, e -> e.doit |= e.detail == SWT.TRAVERSE_ESCAPE); // closes the dialog, as everywhere
+                                                                                    // in it
     table.control().setLayoutData(Boxes.fill());
     table.list().named("Commands and their keys").onOpen(row -> record(row, false)).onSelect(rows -> selected());
     notice = new NoticeLine(this, theme, Face.BODY);
