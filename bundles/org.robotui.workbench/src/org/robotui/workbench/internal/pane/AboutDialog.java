@@ -4,9 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.stream.Collectors;
 import org.eclipse.swt.SWT;
-import org.eclipse.swt.graphics.Rectangle;
 import org.eclipse.swt.layout.GridData;
-import org.eclipse.swt.layout.GridLayout;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Shell;
 import org.robotui.ui.Face;
@@ -16,7 +14,6 @@ import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 import org.robotui.ui.control.Clipboards;
 import org.robotui.ui.control.NoticeLine;
-import org.robotui.ui.control.QuietButton;
 
 /** Which RobotUI this is, and what it runs on: what somebody is asked for who reports a fault. Display thread only. */
 public final class AboutDialog {
@@ -34,7 +31,6 @@ public final class AboutDialog {
 
   private static final int WIDTH = 640;
   private static final int NAME_WIDTH = 90;
-  private static final int BUTTON_HEIGHT = 30;
   private static final String LICENCE = "Apache License, Version 2.0; those of what others have made: Licences";
 
   private final Theme theme;
@@ -50,10 +46,8 @@ public final class AboutDialog {
   public AboutDialog(Shell parent, Theme theme, Map<String, String> facts, Links links) {
     this.theme = theme;
     this.facts = new LinkedHashMap<>(facts);
-    shell = new Shell(parent, SWT.DIALOG_TRIM);
-    shell.setText("About RobotUI");
-    shell.setBackground(theme.color(Role.PANEL));
-    shell.setLayout(layout(1, 0));
+    shell = DialogShell.over(parent, theme, "About RobotUI", SWT.NONE);
+    shell.setLayout(DialogShell.layout(1, 0, 0));
     Composite head = box(1);
     words(head, Face.TITLE, Role.TEXT, "RobotUI");
     words(head, Face.BODY, Role.DIM, "One workbench for robots of any framework");
@@ -62,8 +56,7 @@ public final class AboutDialog {
     fact(body, "Licence", LICENCE);
     said = new NoticeLine(shell, theme, Face.BODY);
     buttons(links);
-    shell.addListener(SWT.Traverse, e -> e.doit = e.detail == SWT.TRAVERSE_ESCAPE || e.doit);
-    place(parent.getBounds());
+    DialogShell.place(shell, WIDTH, SWT.DEFAULT);
   }
 
   /** Shows it. */
@@ -85,7 +78,7 @@ public final class AboutDialog {
   private Composite box(int columns) {
     Composite box = new Composite(shell, SWT.NONE);
     box.setBackground(theme.color(Role.PANEL));
-    box.setLayout(layout(columns, 2 * Theme.EDGE));
+    box.setLayout(DialogShell.layout(columns, 2 * Theme.EDGE, Theme.STEP));
     box.setLayoutData(new GridData(SWT.FILL, SWT.TOP, true, false));
     return box;
   }
@@ -104,38 +97,18 @@ public final class AboutDialog {
   private void buttons(Links links) {
     Composite bar = new Composite(shell, SWT.NONE);
     bar.setBackground(theme.color(Role.TITLE));
-    bar.setLayout(layout(6, Theme.EDGE));
+    bar.setLayout(DialogShell.layout(6, Theme.EDGE, Theme.STEP));
     bar.setLayoutData(new GridData(SWT.FILL, SWT.BOTTOM, true, true));
-    new QuietButton(bar, theme, links::documentation).text("Documentation").setLayoutData(data());
-    new QuietButton(bar, theme, links::licences).text("Licences").setLayoutData(data());
-    new QuietButton(bar, theme, links::installation).text("Installed software\u2026").setLayoutData(data());
+    DialogShell.button(bar, theme, links::documentation).text("Documentation");
+    DialogShell.button(bar, theme, links::licences).text("Licences");
+    DialogShell.button(bar, theme, links::installation).text("Installed software\u2026");
     new Gap(bar).setLayoutData(new GridData(SWT.FILL, SWT.CENTER, true, false));
-    new QuietButton(bar, theme, this::copy).icon(Icon.COPY).text("Copy").setLayoutData(data());
-    new QuietButton(bar, theme, shell::close).icon(Icon.CLOSE).text("Close").setLayoutData(data());
-  }
-
-  private static GridData data() {
-    GridData data = new GridData(SWT.END, SWT.CENTER, false, false);
-    data.heightHint = BUTTON_HEIGHT;
-    return data;
+    DialogShell.button(bar, theme, this::copy).icon(Icon.COPY).text("Copy");
+    DialogShell.button(bar, theme, shell::close).icon(Icon.CLOSE).text("Close");
   }
 
   private void copy() {
     Clipboards.copy(text());
     said.show(Health.OK, "It is in the clipboard.");
-  }
-
-  private static GridLayout layout(int columns, int margin) {
-    GridLayout layout = new GridLayout(columns, false);
-    layout.marginWidth = margin;
-    layout.marginHeight = margin / 2;
-    layout.horizontalSpacing = 2 * Theme.STEP;
-    layout.verticalSpacing = margin == 0 ? 0 : Theme.STEP;
-    return layout;
-  }
-
-  private void place(Rectangle parent) {
-    int height = shell.computeSize(WIDTH, SWT.DEFAULT).y;
-    shell.setBounds(parent.x + (parent.width - WIDTH) / 2, parent.y + (parent.height - height) / 2, WIDTH, height);
   }
 }

@@ -2,7 +2,6 @@ package org.robotui.workbench.internal.pane;
 
 import java.util.List;
 import org.eclipse.swt.SWT;
-import org.eclipse.swt.graphics.Rectangle;
 import org.eclipse.swt.layout.FillLayout;
 import org.eclipse.swt.widgets.Shell;
 import org.eclipse.swt.widgets.Table;
@@ -22,6 +21,8 @@ import org.robotui.ui.control.PopupMenu;
  */
 public final class ConnectionsDialog {
   private static final int REFRESH_MILLIS = 500;
+  private static final int WIDTH = 1080;
+  private static final int HEIGHT = 520;
   private static final int[] WIDTHS = {110, 180, 130, 200, 420};
   private static final String[] TITLES = {"State", "View port", "Type", "Robot port", "Why"};
 
@@ -35,10 +36,8 @@ public final class ConnectionsDialog {
   public ConnectionsDialog(Shell parent, Theme theme, Ruic ruic) {
     this.theme = theme;
     this.ruic = ruic;
-    shell = new Shell(parent, SWT.DIALOG_TRIM | SWT.RESIZE);
-    shell.setText("Connections of " + ruic.name());
+    shell = DialogShell.over(parent, theme, "Connections of " + ruic.name());
     shell.setLayout(new FillLayout());
-    shell.setBackground(theme.color(Role.PANEL));
     table = new Table(shell, SWT.FULL_SELECTION | SWT.SINGLE);
     table.setHeaderVisible(true);
     table.setBackground(theme.color(Role.PANEL));
@@ -47,8 +46,7 @@ public final class ConnectionsDialog {
     table.setHeaderForeground(theme.color(Role.DIM));
     columns();
     table.addListener(SWT.MenuDetect, e -> contextMenu());
-    shell.addListener(SWT.Traverse, e -> e.doit = e.detail == SWT.TRAVERSE_ESCAPE || e.doit);
-    place(parent.getBounds());
+    DialogShell.place(shell, WIDTH, HEIGHT);
   }
 
   /** Shows it and keeps it up to date until it is closed. */
@@ -63,12 +61,6 @@ public final class ConnectionsDialog {
       column.setText(TITLES[i]);
       column.setWidth(WIDTHS[i]);
     }
-  }
-
-  private void place(Rectangle parent) {
-    int width = Math.min(1080, parent.width - 40);
-    int height = Math.min(520, parent.height - 80);
-    shell.setBounds(parent.x + (parent.width - width) / 2, parent.y + (parent.height - height) / 2, width, height);
   }
 
   private void refresh() {

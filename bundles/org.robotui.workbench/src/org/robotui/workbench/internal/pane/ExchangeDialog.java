@@ -3,9 +3,7 @@ package org.robotui.workbench.internal.pane;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.eclipse.swt.SWT;
-import org.eclipse.swt.graphics.Rectangle;
 import org.eclipse.swt.layout.GridData;
-import org.eclipse.swt.layout.GridLayout;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Shell;
 import org.robotui.api.host.ExchangeOutcome;
@@ -32,7 +30,6 @@ public final class ExchangeDialog {
   private static final int WIDTH = 1180;
   private static final int HEIGHT = 640;
   private static final int FORM = 400;
-  private static final int BUTTON_HEIGHT = 30;
 
   private final Theme theme;
   private final ExchangeModel model;
@@ -61,10 +58,8 @@ public final class ExchangeDialog {
     this.theme = theme;
     this.model = model;
     this.done = done;
-    shell = new Shell(parent, SWT.DIALOG_TRIM | SWT.RESIZE);
-    shell.setText("Change the framework of " + model.ruic().name());
-    shell.setBackground(theme.color(Role.PANEL));
-    shell.setLayout(layout(2, 0));
+    shell = DialogShell.over(parent, theme, "Change the framework of " + model.ruic().name());
+    shell.setLayout(DialogShell.layout(2, 0, 0));
     form = new InterfaceForm(shell, theme, host, model, this::edited);
     GridData left = new GridData(SWT.FILL, SWT.FILL, false, true);
     left.widthHint = FORM;
@@ -75,19 +70,19 @@ public final class ExchangeDialog {
     verdict = line();
     Composite buttons = new Composite(shell, SWT.NONE);
     buttons.setBackground(theme.color(Role.TITLE));
-    buttons.setLayout(layout(5, Theme.EDGE));
+    buttons.setLayout(DialogShell.layout(5, Theme.EDGE, 0));
     buttons.setLayoutData(new GridData(SWT.FILL, SWT.BOTTOM, true, false, 2, 1));
-    written = button(buttons, this::asWritten).icon(Icon.UNDO).text("As the file says")
+    written = DialogShell.button(buttons, theme, this::asWritten).icon(Icon.UNDO).text("As the file says")
         .hint("Go back to what the configuration says");
     new Gap(buttons).setLayoutData(new GridData(SWT.FILL, SWT.CENTER, true, false));
-    button(buttons, shell::close).text("Cancel").hint("Change nothing (Esc)");
-    tryIt = button(buttons, this::tryIt).icon(Icon.PLAY).text("Try")
+    DialogShell.button(buttons, theme, shell::close).text("Cancel").hint("Change nothing (Esc)");
+    tryIt = DialogShell.button(buttons, theme, this::tryIt).icon(Icon.PLAY).text("Try")
         .hint("Connect beside the running interface, and show what would become of the connections");
     exchange =
-        button(buttons, this::exchange).text("Exchange").hint("Stop what is driven, release control, and exchange");
+        DialogShell.button(buttons, theme, this::exchange).text("Exchange")
+            .hint("Stop what is driven, release control, and exchange");
     shell.addListener(SWT.Dispose, e -> model.close());
-    shell.addListener(SWT.Traverse, e -> e.doit = e.detail == SWT.TRAVERSE_ESCAPE || e.doit);
-    place(parent.getBounds());
+    DialogShell.place(shell, WIDTH, HEIGHT);
     show();
   }
 
@@ -243,28 +238,5 @@ public final class ExchangeDialog {
     NoticeLine line = new NoticeLine(shell, theme, Face.BODY);
     ((GridData) line.control().getLayoutData()).horizontalSpan = 2;
     return line;
-  }
-
-  private QuietButton button(Composite parent, Runnable action) {
-    QuietButton button = new QuietButton(parent, theme, action);
-    GridData data = new GridData(SWT.END, SWT.CENTER, false, false);
-    data.heightHint = BUTTON_HEIGHT;
-    button.setLayoutData(data);
-    return button;
-  }
-
-  private static GridLayout layout(int columns, int margin) {
-    GridLayout layout = new GridLayout(columns, false);
-    layout.marginWidth = margin;
-    layout.marginHeight = margin / 2;
-    layout.horizontalSpacing = 2 * Theme.STEP;
-    layout.verticalSpacing = 0;
-    return layout;
-  }
-
-  private void place(Rectangle parent) {
-    int width = Math.min(WIDTH, parent.width - 40);
-    int height = Math.min(HEIGHT, parent.height - 60);
-    shell.setBounds(parent.x + (parent.width - width) / 2, parent.y + (parent.height - height) / 2, width, height);
   }
 }

@@ -7,9 +7,7 @@ import java.util.concurrent.Executor;
 import java.util.function.BiConsumer;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.custom.StackLayout;
-import org.eclipse.swt.graphics.Rectangle;
 import org.eclipse.swt.layout.GridData;
-import org.eclipse.swt.layout.GridLayout;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 import org.eclipse.swt.widgets.Shell;
@@ -35,7 +33,6 @@ public final class NewRobotDialog {
   private static final int REFRESH_MILLIS = 250;
   private static final int WIDTH = 1080;
   private static final int HEIGHT = 680;
-  private static final int BUTTON_HEIGHT = 30;
   private static final List<String> STEPS = List.of("Robot", "Views", "Name");
 
   private final Theme theme;
@@ -75,14 +72,8 @@ public final class NewRobotDialog {
     this.model = model;
     this.background = background;
     this.done = done;
-    shell = new Shell(parent, SWT.DIALOG_TRIM | SWT.RESIZE);
-    shell.setText("New robot UI");
-    shell.setBackground(theme.color(Role.PANEL));
-    GridLayout layout = new GridLayout(1, false);
-    layout.marginWidth = 0;
-    layout.marginHeight = 0;
-    layout.verticalSpacing = 0;
-    shell.setLayout(layout);
+    shell = DialogShell.over(parent, theme, "New robot UI");
+    shell.setLayout(DialogShell.layout(1, 0, 0));
     steps = new StepLine(shell, theme, STEPS);
     pages = new Composite(shell, SWT.NONE);
     pages.setBackground(theme.color(Role.PANEL));
@@ -93,12 +84,11 @@ public final class NewRobotDialog {
     name = new NewNamePage(pages, theme, model, open, this::show);
     notice = new NoticeLine(shell, theme, Face.BODY);
     Composite buttons = buttons();
-    button(buttons, shell::close).text("Cancel").hint("Write nothing (Esc)");
-    back = button(buttons, () -> turn(page - 1)).text("Back");
-    next = button(buttons, this::next).icon(Icon.CHECK).text("Next");
+    DialogShell.button(buttons, theme, shell::close).text("Cancel").hint("Write nothing (Esc)");
+    back = DialogShell.button(buttons, theme, () -> turn(page - 1)).text("Back");
+    next = DialogShell.button(buttons, theme, this::next).icon(Icon.CHECK).text("Next");
     shell.addListener(SWT.Dispose, e -> model.close());
-    shell.addListener(SWT.Traverse, e -> e.doit = e.detail == SWT.TRAVERSE_ESCAPE || e.doit);
-    place(parent.getBounds());
+    DialogShell.place(shell, WIDTH, HEIGHT);
     turn(0);
   }
 
@@ -256,27 +246,9 @@ public final class NewRobotDialog {
   private Composite buttons() {
     Composite buttons = new Composite(shell, SWT.NONE);
     buttons.setBackground(theme.color(Role.TITLE));
-    GridLayout layout = new GridLayout(4, false);
-    layout.marginWidth = Theme.EDGE;
-    layout.marginHeight = Theme.EDGE / 2;
-    layout.horizontalSpacing = 2 * Theme.STEP;
-    buttons.setLayout(layout);
+    buttons.setLayout(DialogShell.layout(4, Theme.EDGE, 0));
     buttons.setLayoutData(new GridData(SWT.FILL, SWT.BOTTOM, true, false));
     new Gap(buttons).setLayoutData(new GridData(SWT.FILL, SWT.CENTER, true, false));
     return buttons;
-  }
-
-  private QuietButton button(Composite parent, Runnable action) {
-    QuietButton button = new QuietButton(parent, theme, action);
-    GridData data = new GridData(SWT.END, SWT.CENTER, false, false);
-    data.heightHint = BUTTON_HEIGHT;
-    button.setLayoutData(data);
-    return button;
-  }
-
-  private void place(Rectangle parent) {
-    int width = Math.min(WIDTH, parent.width - 40);
-    int height = Math.min(HEIGHT, parent.height - 60);
-    shell.setBounds(parent.x + (parent.width - width) / 2, parent.y + (parent.height - height) / 2, width, height);
   }
 }

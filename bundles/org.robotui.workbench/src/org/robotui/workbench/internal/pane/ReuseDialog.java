@@ -8,13 +8,9 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Supplier;
 import org.eclipse.swt.SWT;
-import org.eclipse.swt.dnd.Clipboard;
-import org.eclipse.swt.dnd.TextTransfer;
-import org.eclipse.swt.dnd.Transfer;
 import org.eclipse.swt.graphics.GC;
 import org.eclipse.swt.graphics.Rectangle;
 import org.eclipse.swt.layout.GridData;
-import org.eclipse.swt.layout.GridLayout;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.FileDialog;
 import org.eclipse.swt.widgets.Shell;
@@ -23,6 +19,7 @@ import org.robotui.api.config.WriteFailure;
 import org.robotui.api.host.ReuseReport;
 import org.robotui.api.host.ReuseReport.Pair;
 import org.robotui.api.host.ReuseReport.Row;
+import org.robotui.ui.control.Clipboards;
 import org.robotui.ui.Face;
 import org.robotui.ui.Health;
 import org.robotui.ui.Icon;
@@ -30,7 +27,6 @@ import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 import org.robotui.ui.control.Column;
 import org.robotui.ui.control.NoticeLine;
-import org.robotui.ui.control.QuietButton;
 import org.robotui.ui.control.RowTable;
 
 /**
@@ -42,7 +38,6 @@ public final class ReuseDialog {
   private static final int HEIGHT = 720;
   private static final int MOST_PAIRS = 6;
   private static final int DOT = 11;
-  private static final int BUTTON_HEIGHT = 30;
 
   private final Theme theme;
   private final ReuseReport report;
@@ -53,10 +48,8 @@ public final class ReuseDialog {
   public ReuseDialog(Shell parent, Theme theme, ReuseReport report) {
     this.theme = theme;
     this.report = report;
-    shell = new Shell(parent, SWT.DIALOG_TRIM | SWT.RESIZE);
-    shell.setText("Reuse of components");
-    shell.setBackground(theme.color(Role.PANEL));
-    shell.setLayout(layout(1, 0));
+    shell = DialogShell.over(parent, theme, "Reuse of components");
+    shell.setLayout(DialogShell.layout(1, 0, 0));
     head();
     RowTable<Row> table = new RowTable<>(shell, theme, columns(), Row::bundle);
     table.control().setLayoutData(new GridData(SWT.FILL, SWT.FILL, true, true));
@@ -68,8 +61,7 @@ public final class ReuseDialog {
     }
     said = new NoticeLine(shell, theme, Face.BODY);
     buttons();
-    shell.addListener(SWT.Traverse, e -> e.doit = e.detail == SWT.TRAVERSE_ESCAPE || e.doit);
-    place(parent.getBounds());
+    DialogShell.place(shell, WIDTH, HEIGHT);
   }
 
   /** Shows it. */
@@ -85,7 +77,7 @@ public final class ReuseDialog {
   private void head() {
     Composite head = new Composite(shell, SWT.NONE);
     head.setBackground(theme.color(Role.TITLE));
-    head.setLayout(layout(1, Theme.EDGE));
+    head.setLayout(DialogShell.layout(1, Theme.EDGE, Theme.STEP));
     head.setLayoutData(new GridData(SWT.FILL, SWT.TOP, true, false));
     words(head, Face.TITLE, Role.TEXT, capital(report.summary()));
     pairs().forEach(p -> words(head, Face.BODY, Role.DIM, p));
@@ -162,24 +154,16 @@ public final class ReuseDialog {
   private void buttons() {
     Composite bar = new Composite(shell, SWT.NONE);
     bar.setBackground(theme.color(Role.TITLE));
-    bar.setLayout(layout(4, Theme.EDGE));
+    bar.setLayout(DialogShell.layout(4, Theme.EDGE, Theme.STEP));
     bar.setLayoutData(new GridData(SWT.FILL, SWT.BOTTOM, true, false));
     new Gap(bar).setLayoutData(new GridData(SWT.FILL, SWT.CENTER, true, false));
-    button(bar, Icon.COPY, "Copy as Markdown", this::copy);
-    button(bar, Icon.SAVE, "Save\u2026", this::choose);
-    button(bar, Icon.CLOSE, "Close", shell::close);
-  }
-
-  private void button(Composite bar, Icon icon, String label, Runnable action) {
-    GridData data = new GridData(SWT.END, SWT.CENTER, false, false);
-    data.heightHint = BUTTON_HEIGHT;
-    new QuietButton(bar, theme, action).icon(icon).text(label).setLayoutData(data);
+    DialogShell.button(bar, theme, this::copy).icon(Icon.COPY).text("Copy as Markdown");
+    DialogShell.button(bar, theme, this::choose).icon(Icon.SAVE).text("Save\u2026");
+    DialogShell.button(bar, theme, shell::close).icon(Icon.CLOSE).text("Close");
   }
 
   private void copy() {
-    Clipboard clipboard = new Clipboard(shell.getDisplay());
-    clipboard.setContents(new Object[]{report.markdown()}, new Transfer[]{TextTransfer.getInstance()});
-    clipboard.dispose();
+    Clipboards.copy(report.markdown());
     said.show(Health.OK, "The table is in the clipboard.");
   }
 
@@ -202,20 +186,5 @@ public final class ReuseDialog {
     } catch (IOException e) {
       said.show(Health.BAD, file + " cannot be written: " + WriteFailure.reason(e));
     }
-  }
-
-  private static GridLayout layout(int columns, int margin) {
-    GridLayout layout = new GridLayout(columns, false);
-    layout.marginWidth = margin;
-    layout.marginHeight = margin / 2;
-    layout.horizontalSpacing = 2 * Theme.STEP;
-    layout.verticalSpacing = margin == 0 ? 0 : Theme.STEP;
-    return layout;
-  }
-
-  private void place(Rectangle parent) {
-    int width = Math.min(WIDTH, parent.width - 40);
-    int height = Math.min(HEIGHT, parent.height - 60);
-    shell.setBounds(parent.x + (parent.width - width) / 2, parent.y + (parent.height - height) / 2, width, height);
   }
 }

@@ -4,9 +4,7 @@ import java.net.URI;
 import java.util.List;
 import java.util.Optional;
 import org.eclipse.swt.SWT;
-import org.eclipse.swt.graphics.Rectangle;
 import org.eclipse.swt.layout.GridData;
-import org.eclipse.swt.layout.GridLayout;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Shell;
 import org.robotui.ui.Face;
@@ -31,7 +29,6 @@ import org.robotui.workbench.internal.model.SoftwareModel;
 public final class SoftwareDialog {
   private static final int WIDTH = 960;
   private static final int HEIGHT = 600;
-  private static final int BUTTON_HEIGHT = 30;
   private static final String NO_SITE = "no site: add the address of one";
 
   private final Theme theme;
@@ -50,15 +47,13 @@ public final class SoftwareDialog {
   public SoftwareDialog(Shell parent, Theme theme, SoftwareModel model) {
     this.theme = theme;
     this.model = model;
-    shell = new Shell(parent, SWT.DIALOG_TRIM | SWT.RESIZE);
-    shell.setText("Install software");
-    shell.setBackground(theme.color(Role.PANEL));
-    shell.setLayout(layout(1, 0));
+    shell = DialogShell.over(parent, theme, "Install software");
+    shell.setLayout(DialogShell.layout(1, 0, 0));
     Composite head = bar(4);
     new ShortenedLabel(head, theme, Face.BODY, Role.DIM, "Update site");
     site = new ChoiceField(head, theme, "Update site", this::sites);
     GridData wide = new GridData(SWT.FILL, SWT.CENTER, true, false);
-    wide.heightHint = BUTTON_HEIGHT;
+    wide.heightHint = DialogShell.BUTTON_HEIGHT;
     site.control().setLayoutData(wide);
     add = button(head, Icon.PLUS, "Add Site\u2026", this::add);
     forget = button(head, Icon.MINUS, "Forget Site", model::forget);
@@ -74,8 +69,7 @@ public final class SoftwareDialog {
     remove = button(foot, Icon.MINUS, "Remove", () -> selected().ifPresent(model::remove));
     install = button(foot, Icon.SAVE, "Install", () -> selected().ifPresent(model::install));
     button(foot, Icon.CLOSE, "Close", shell::close);
-    shell.addListener(SWT.Traverse, e -> e.doit = e.detail == SWT.TRAVERSE_ESCAPE || e.doit);
-    place(parent.getBounds());
+    DialogShell.place(shell, WIDTH, HEIGHT);
     model.onChange(this::show);
     show();
   }
@@ -152,31 +146,12 @@ public final class SoftwareDialog {
   private Composite bar(int columns) {
     Composite bar = new Composite(shell, SWT.NONE);
     bar.setBackground(theme.color(Role.TITLE));
-    bar.setLayout(layout(columns, Theme.EDGE));
+    bar.setLayout(DialogShell.layout(columns, Theme.EDGE, 0));
     bar.setLayoutData(new GridData(SWT.FILL, SWT.CENTER, true, false));
     return bar;
   }
 
   private QuietButton button(Composite bar, Icon icon, String label, Runnable action) {
-    QuietButton button = new QuietButton(bar, theme, action).icon(icon).text(label);
-    GridData data = new GridData(SWT.END, SWT.CENTER, false, false);
-    data.heightHint = BUTTON_HEIGHT;
-    button.setLayoutData(data);
-    return button;
-  }
-
-  private static GridLayout layout(int columns, int margin) {
-    GridLayout layout = new GridLayout(columns, false);
-    layout.marginWidth = margin;
-    layout.marginHeight = margin / 2;
-    layout.horizontalSpacing = 2 * Theme.STEP;
-    layout.verticalSpacing = 0;
-    return layout;
-  }
-
-  private void place(Rectangle parent) {
-    int width = Math.min(WIDTH, parent.width - 40);
-    int height = Math.min(HEIGHT, parent.height - 60);
-    shell.setBounds(parent.x + (parent.width - width) / 2, parent.y + (parent.height - height) / 2, width, height);
+    return DialogShell.button(bar, theme, action).icon(icon).text(label);
   }
 }
