@@ -39,7 +39,7 @@ public final class LiveInstallation {
   private volatile List<String> troubles = List.of();
   private final Optional<ProductBundles> product;
   private final ScheduledExecutorService watch = Executors
-      .newSingleThreadScheduledExecutor(task -> Thread.ofPlatform().daemon().name("robotui-install").unstarted(task));
+      .newSingleThreadScheduledExecutor(task -> Thread.ofPlatform().daemon().name("installed-bundles").unstarted(task));
 
   /** Called by declarative services; there is no configurator where no installer has made the product. */
   @Activate
@@ -57,7 +57,9 @@ public final class LiveInstallation {
       Thread.currentThread().interrupt();
     }
     look();
-    watch.scheduleWithFixedDelay(this::look, PERIOD_MILLIS, PERIOD_MILLIS, TimeUnit.MILLISECONDS);
+    if (folder.isPresent() || product.isPresent()) {
+      watch.scheduleWithFixedDelay(this::look, PERIOD_MILLIS, PERIOD_MILLIS, TimeUnit.MILLISECONDS);
+    }
   }
 
   private static Optional<Path> property(String name) {
