@@ -386,6 +386,7 @@ def installed(product):
     return {line.split(",")[0] for line in (product / "configuration/org.eclipse.equinox.simpleconfigurator/bundles.info").read_text().splitlines()}
 
 
+@needs_long                                                     # test_install.py removes and installs one in less time
 def test_a_framework_is_taken_out_and_installed_again(removable, state):
     def director(*arguments):
         done = run(removable / "robotui", *DIRECTOR, *arguments, seconds=300, XDG_STATE_HOME=str(state))
