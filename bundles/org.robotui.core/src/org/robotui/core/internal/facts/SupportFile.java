@@ -12,6 +12,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.atomic.AtomicReference;
 import org.robotui.api.config.AtomicFile;
+import org.robotui.api.config.UserFolder;
 import org.robotui.net.process.SocketAnswer;
 
 /**
@@ -64,7 +65,7 @@ public record SupportFile(Path state, Optional<Path> home) {
   private Set<Path> running(FactsZip zip) throws IOException {
     Set<Path> configurations = new LinkedHashSet<>();
     String self = Long.toString(ProcessHandle.current().pid());
-    for (SocketAnswer answer : SocketAnswer.ask(state.resolve("run"), "stop-*.sock", "facts", LIMIT)) {
+    for (SocketAnswer answer : SocketAnswer.ask(UserFolder.sockets(state), "stop-*.sock", "facts", LIMIT)) {
       if (!answer.process().equals(self)) {
         String text = answer.text().isEmpty() ? "It runs, and has not answered within " + LIMIT.toSeconds() + " s."
             : answer.text();

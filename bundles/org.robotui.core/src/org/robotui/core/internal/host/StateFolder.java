@@ -1,11 +1,10 @@
 package org.robotui.core.internal.host;
 
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.Properties;
-import java.util.zip.CRC32;
 import org.robotui.api.config.UserFolder;
+import org.robotui.core.internal.config.Checksum;
 
 /**
  * Where core keeps what users changed.
@@ -21,10 +20,8 @@ public record StateFolder(Path path) {
   /** The file for changes to one configuration: two files of one name in two folders have two. */
   Path overlay(Path configuration) {
     Path absolute = configuration.toAbsolutePath().normalize();
-    CRC32 sum = new CRC32();
-    sum.update(absolute.toString().getBytes(StandardCharsets.UTF_8));
     String name = absolute.getFileName().toString().replaceFirst("\\.ya?ml$", "");
-    return path.resolve("overlays").resolve(name + "-" + Long.toHexString(sum.getValue()) + ".yaml");
+    return path.resolve("overlays").resolve(name + "-" + Checksum.of(absolute.toString()) + ".yaml");
   }
 
   /** Where robot interfaces may keep files. */

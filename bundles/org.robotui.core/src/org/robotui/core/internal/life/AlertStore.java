@@ -1,14 +1,14 @@
 package org.robotui.core.internal.life;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Supplier;
-import java.util.zip.CRC32;
+import org.robotui.api.config.SetAside;
 import org.robotui.core.internal.config.AlertsYaml;
+import org.robotui.core.internal.config.Checksum;
 import org.robotui.core.internal.config.model.KeptAlerts;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -32,18 +32,16 @@ final class AlertStore {
 
   /** The file of a RUIC: those of one name in two configurations have two. */
   static Path file(Path folder, String configuration, String ruic) {
-    CRC32 sum = new CRC32();
-    sum.update((configuration + '\n' + ruic).getBytes(StandardCharsets.UTF_8));
-    return folder
-        .resolve(ruic.replaceAll("[^\\p{L}\\p{N}_.-]", "_") + "-" + Long.toHexString(sum.getValue()) + ".yaml");
+    return folder.resolve(
+        ruic.replaceAll("[^\\p{L}\\p{N}_.-]", "_") + "-" + Checksum.of(configuration + '\n' + ruic) + ".yaml");
   }
 
-  /** What was kept. Where that cannot be understood, it begins anew and the file is written over. */
+  /** What was kept. Where that cannot be understood, the file is set aside, and it begins anew. */
   KeptAlerts read() {
     try {
       return AlertsYaml.read(file);
     } catch (IOException e) {
-      LOG.warn("The history of alerts begins anew: {}", e.getMessage());
+      LOG.warn("The history of alerts begins anew: {}. {}", e.getMessage(), SetAside.copy(file));
       return KeptAlerts.NONE;
     }
   }

@@ -1,19 +1,18 @@
 package org.robotui.core.internal.life;
 
-import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
-import java.util.zip.CRC32;
 import org.robotui.api.UicType;
 import org.robotui.api.UicType.Surface;
 import org.robotui.api.host.Arranging;
 import org.robotui.api.host.ViewFit;
 import org.robotui.api.layout.Arrangement;
 import org.robotui.api.layout.Arrangement.Added;
+import org.robotui.core.internal.config.Checksum;
 import org.robotui.core.internal.config.model.ComponentConfig;
 import org.robotui.core.internal.config.model.KeptViews;
 import org.robotui.core.internal.config.model.KeptViews.Hand;
@@ -70,11 +69,7 @@ final class ArrangedViews implements Arranging {
   }
 
   private String mark() {
-    return ruic.config().layout().map(layout -> {
-      CRC32 sum = new CRC32();
-      sum.update(layout.toString().getBytes(StandardCharsets.UTF_8));
-      return Long.toHexString(sum.getValue());
-    }).orElse("");
+    return ruic.config().layout().map(layout -> Checksum.of(layout.toString())).orElse("");
   }
 
   private boolean needsPlace(ComponentConfig view) {

@@ -1,9 +1,8 @@
 package org.robotui.core.internal.life;
 
 import java.util.Map;
-import java.util.zip.CRC32;
-import java.nio.charset.StandardCharsets;
 import org.robotui.api.host.InterfaceConfig;
+import org.robotui.core.internal.config.Checksum;
 import org.robotui.core.internal.config.model.ChosenInterface;
 import org.robotui.core.internal.config.model.ComponentConfig;
 import org.robotui.core.internal.config.model.RuicConfig;
@@ -52,8 +51,6 @@ record Written(SettingsCheck check) {
   }
 
   private String mark(ComponentConfig config) {
-    CRC32 sum = new CRC32();
-    sum.update(show(config).toString().getBytes(StandardCharsets.UTF_8));
-    return Long.toHexString(sum.getValue());
+    return Checksum.of(show(config).toString());
   }
 }
