@@ -2,7 +2,6 @@ package org.robotui.install.internal;
 
 import java.io.IOException;
 import java.net.URI;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.LinkedHashSet;
@@ -23,6 +22,7 @@ import org.eclipse.equinox.p2.operations.UpdateOperation;
 import org.osgi.service.component.annotations.Activate;
 import org.osgi.service.component.annotations.Component;
 import org.osgi.service.component.annotations.Reference;
+import org.robotui.api.config.UserFolder;
 import org.robotui.install.FeatureInstaller;
 import org.robotui.install.InstallOutcome;
 import org.robotui.install.InstallOutcome.Changed;
@@ -50,17 +50,13 @@ public final class P2Installer implements FeatureInstaller {
 
   private final IProvisioningAgentProvider agents;
   private final LiveInstallation live;
-  private final KnownSites sites = new KnownSites(folder());
+  private final KnownSites sites = new KnownSites(UserFolder.state(System.getProperties(), System.getenv()));
 
   /** Called by declarative services. */
   @Activate
   public P2Installer(@Reference IProvisioningAgentProvider agents, @Reference LiveInstallation live) {
     this.agents = agents;
     this.live = live;
-  }
-
-  private static Path folder() {
-    return Path.of(System.getProperty("robotui.state", System.getProperty("java.io.tmpdir")));
   }
 
   private P2Work work() throws ProvisionException {

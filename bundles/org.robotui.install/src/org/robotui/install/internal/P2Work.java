@@ -28,7 +28,8 @@ import org.robotui.install.SiteFeature;
  * what another process has changed since.
  */
 final class P2Work implements AutoCloseable {
-  private static final String SUFFIX = ".feature.group";
+  /** What stands behind the id of a feature in that of its unit. */
+  static final String SUFFIX = ".feature.group";
 
   private final IProvisioningAgent agent;
 
@@ -111,8 +112,13 @@ final class P2Work implements AutoCloseable {
 
   private static SiteFeature feature(IInstallableUnit unit) {
     return new SiteFeature(id(unit), unit.getVersion().toString(),
-        text(unit, IInstallableUnit.PROP_NAME).orElse(id(unit)),
+        name(unit),
         text(unit, IInstallableUnit.PROP_DESCRIPTION).orElse(""));
+  }
+
+  /** What it is called, else its id. */
+  static String name(IInstallableUnit unit) {
+    return text(unit, IInstallableUnit.PROP_NAME).orElse(id(unit));
   }
 
   private static Optional<String> text(IInstallableUnit unit, String property) {

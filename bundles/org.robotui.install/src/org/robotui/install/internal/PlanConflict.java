@@ -18,7 +18,6 @@ import org.eclipse.equinox.p2.metadata.IRequirement;
 /** Why p2 finds no way, in sentences: it names what needs what, from the unit that was asked for to what is missing. */
 @SuppressWarnings("restriction") // p2 tells reasons as values in packages of its own only
 final class PlanConflict {
-  private static final String FEATURE = ".feature.group";
   private static final Pattern REQUIREMENT =
       Pattern.compile("([^;\\s]+); (\\S+) ([\\[(][^\\])]*[\\])]|[^,\\s]+).*");
   private static final Pattern RANGE = Pattern.compile("[\\[(]([^,]+),([^\\])]+)[\\])]");
@@ -63,7 +62,7 @@ final class PlanConflict {
     if (!parts.matches()) {
       return requirement.toString();
     }
-    return kind(parts.group(1)) + parts.group(2).replace(FEATURE, "") + version(parts.group(3));
+    return kind(parts.group(1)) + parts.group(2).replace(P2Work.SUFFIX, "") + version(parts.group(3));
   }
 
   private static String version(String range) {
@@ -85,8 +84,7 @@ final class PlanConflict {
   }
 
   private static String name(IInstallableUnit unit) {
-    String name = unit.getProperty(IInstallableUnit.PROP_NAME, null);
-    return (name == null ? unit.getId().replace(FEATURE, "") : name) + " " + unit.getVersion();
+    return P2Work.name(unit) + " " + unit.getVersion();
   }
 
   /** What p2 says itself, of that the most special. */
