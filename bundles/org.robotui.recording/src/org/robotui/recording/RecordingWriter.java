@@ -12,13 +12,7 @@ import org.robotui.recording.internal.mcap.McapWriter;
  *
  * <p>Where the disk is full or broken, the file ends with the last record that was whole, and all later calls fail.
  */
-public final class RecordingWriter implements AutoCloseable {
-
-  private final McapWriter writer;
-
-  private RecordingWriter(McapWriter writer) {
-    this.writer = writer;
-  }
+public interface RecordingWriter extends AutoCloseable {
 
   /**
    * Starts a recording.
@@ -28,8 +22,8 @@ public final class RecordingWriter implements AutoCloseable {
    * @return the writer; who creates it closes it
    * @throws RecordingException if it cannot be written
    */
-  public static RecordingWriter create(Path file, WriterOptions options) throws RecordingException {
-    return new RecordingWriter(McapWriter.create(file, options));
+  static RecordingWriter create(Path file, WriterOptions options) throws RecordingException {
+    return McapWriter.create(file, options);
   }
 
   /**
@@ -42,10 +36,8 @@ public final class RecordingWriter implements AutoCloseable {
    * @return the channel, for {@link #write}
    * @throws IllegalStateException if there are 65535 already
    */
-  public RecordedChannel channel(String topic, String messageEncoding, RecordedSchema schema,
-      Map<String, String> metadata) {
-    return writer.channel(topic, messageEncoding, schema, metadata);
-  }
+  RecordedChannel channel(String topic, String messageEncoding, RecordedSchema schema,
+      Map<String, String> metadata);
 
   /**
    * Writes a message.
@@ -59,10 +51,8 @@ public final class RecordingWriter implements AutoCloseable {
    * @throws IllegalArgumentException if the channel is of another writer, or the message has more than 64 MiB
    * @throws IllegalStateException if the writer is closed
    */
-  public void write(RecordedChannel channel, long logTime, long publishTime, long sequence, ByteBuffer data)
-      throws RecordingException {
-    writer.write(channel, logTime, publishTime, sequence, data);
-  }
+  void write(RecordedChannel channel, long logTime, long publishTime, long sequence, ByteBuffer data)
+      throws RecordingException;
 
   /**
    * Adds a file.
@@ -75,10 +65,8 @@ public final class RecordingWriter implements AutoCloseable {
    * @throws RecordingException if this or something before could not be written
    * @throws IllegalArgumentException if it has more than 64 MiB
    */
-  public void attach(String name, String mediaType, long logTime, long createTime, ByteBuffer content)
-      throws RecordingException {
-    writer.attach(name, mediaType, logTime, createTime, content);
-  }
+  void attach(String name, String mediaType, long logTime, long createTime, ByteBuffer content)
+      throws RecordingException;
 
   /**
    * Adds notes.
@@ -86,27 +74,21 @@ public final class RecordingWriter implements AutoCloseable {
    * @param metadata the notes
    * @throws RecordingException if this or something before could not be written
    */
-  public void note(RecordedMetadata metadata) throws RecordingException {
-    writer.note(metadata);
-  }
+  void note(RecordedMetadata metadata) throws RecordingException;
 
   /**
    * Gives everything to the system, so that it survives the end of this process.
    *
    * @throws RecordingException if this or something before could not be written
    */
-  public void flush() throws RecordingException {
-    writer.flush();
-  }
+  void flush() throws RecordingException;
 
   /**
    * How long the file is so far.
    *
    * @return bytes, without the chunk that is being filled
    */
-  public long size() {
-    return writer.size();
-  }
+  long size();
 
   /**
    * Writes the rest and the index. A second call does nothing.
@@ -114,7 +96,5 @@ public final class RecordingWriter implements AutoCloseable {
    * @throws RecordingException if this or something before could not be written; the file is closed all the same
    */
   @Override
-  public void close() throws RecordingException {
-    writer.close();
-  }
+  void close() throws RecordingException;
 }

@@ -33,13 +33,11 @@ final class BagSource implements ChunkSource {
   public LoadedChunk load(ChunkRef ref) throws RecordingException {
     try {
       LoadedChunk chunk = load(ref.offset(), BagRecord.at(ref.offset(), file, new ByteWindow(file)));
-      if (chunk.size() > 0 && (chunk.logTime(0) < ref.start() || chunk.logTime(chunk.size() - 1) > ref.end())) {
-        damages.add(ref.offset(), "a chunk has messages of other times than the index says: their order is not sure");
-      }
+      damages.tellOtherTimes(ref, chunk);
       return chunk;
     } catch (MalformedRecord e) {
       damages.add(ref.offset(), "there is no chunk where the index has one: " + e.getMessage());
-      return new EntryTable().over(new byte[0]);
+      return LoadedChunk.none();
     }
   }
 

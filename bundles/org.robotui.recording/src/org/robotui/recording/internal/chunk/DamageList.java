@@ -23,6 +23,13 @@ public final class DamageList {
     }
   }
 
+  /** Tells of a chunk that reaches beyond the times which the index has of it. */
+  public void tellOtherTimes(ChunkRef ref, LoadedChunk chunk) {
+    if (chunk.size() > 0 && (chunk.logTime(0) < ref.start() || chunk.logTime(chunk.size() - 1) > ref.end())) {
+      add(ref.offset(), "a chunk has messages of other times than the index says: their order is not sure");
+    }
+  }
+
   public synchronized List<RecordingDamage> all() {
     return damages.stream().sorted(Comparator.comparingLong(RecordingDamage::offset)).toList();
   }

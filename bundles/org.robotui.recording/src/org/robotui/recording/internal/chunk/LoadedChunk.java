@@ -18,6 +18,11 @@ public final class LoadedChunk {
     order = entries.byLogTime();
   }
 
+  /** One without messages, where a chunk cannot be read. */
+  public static LoadedChunk none() {
+    return new EntryTable().over(new byte[0]);
+  }
+
   public int size() {
     return order.length;
   }

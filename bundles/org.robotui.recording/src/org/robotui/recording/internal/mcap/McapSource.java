@@ -33,9 +33,7 @@ final class McapSource implements ChunkSource {
   @Override
   public LoadedChunk load(ChunkRef ref) throws RecordingException {
     LoadedChunk chunk = load(ref.offset(), ref.length());
-    if (chunk.size() > 0 && (chunk.logTime(0) < ref.start() || chunk.logTime(chunk.size() - 1) > ref.end())) {
-      damages.add(ref.offset(), "a chunk has messages of other times than the index says: their order is not sure");
-    }
+    damages.tellOtherTimes(ref, chunk);
     return chunk;
   }
 
@@ -54,7 +52,7 @@ final class McapSource implements ChunkSource {
       };
     } catch (MalformedRecord e) {
       damages.add(offset, e.getMessage());
-      return new EntryTable().over(new byte[0]);
+      return LoadedChunk.none();
     }
   }
 

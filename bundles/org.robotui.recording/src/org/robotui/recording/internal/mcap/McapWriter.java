@@ -16,12 +16,13 @@ import org.robotui.recording.RecordedChannel;
 import org.robotui.recording.RecordedMetadata;
 import org.robotui.recording.RecordedSchema;
 import org.robotui.recording.RecordingException;
+import org.robotui.recording.RecordingWriter;
 import org.robotui.recording.WriterOptions;
 import org.robotui.recording.internal.codec.ChunkEncoder;
 import org.robotui.recording.internal.io.PackedBytes;
 
 /** Writes MCAP. A thread of its own writes chunks that are old enough, as nobody else may come for long. */
-public final class McapWriter implements AutoCloseable {
+public final class McapWriter implements RecordingWriter {
 
   private static final int MOST_CHANNELS = 0xffff;
   private static final int MOST_MESSAGE = 64 << 20;
@@ -70,6 +71,7 @@ public final class McapWriter implements AutoCloseable {
     writeBuffer();
   }
 
+  @Override
   public synchronized RecordedChannel channel(String topic, String encoding, RecordedSchema schema,
       Map<String, String> metadata) {
     if (channels.size() == MOST_CHANNELS) {
@@ -83,6 +85,7 @@ public final class McapWriter implements AutoCloseable {
     return channel;
   }
 
+  @Override
   public synchronized void write(RecordedChannel channel, long logTime, long publishTime, long sequence,
       ByteBuffer data) throws RecordingException {
     check(data);
@@ -164,6 +167,7 @@ public final class McapWriter implements AutoCloseable {
     }
   }
 
+  @Override
   public synchronized void attach(String name, String type, long logTime, long createTime, ByteBuffer content)
       throws RecordingException {
     check(content);
@@ -179,6 +183,7 @@ public final class McapWriter implements AutoCloseable {
     tail.attachment(entry);
   }
 
+  @Override
   public synchronized void note(RecordedMetadata metadata) throws RecordingException {
     check(ByteBuffer.allocate(0));
     writeChunk();
@@ -190,11 +195,13 @@ public final class McapWriter implements AutoCloseable {
     tail.metadata(entry);
   }
 
+  @Override
   public synchronized void flush() throws RecordingException {
     check(ByteBuffer.allocate(0));
     writeChunk();
   }
 
+  @Override
   public synchronized long size() {
     return file.position();
   }
