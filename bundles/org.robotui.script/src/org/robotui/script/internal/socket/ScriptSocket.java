@@ -37,7 +37,7 @@ public final class ScriptSocket implements Door {
     }
   }
 
-  private static Thread thread(Runnable work) {
+  static Thread thread(Runnable work) {
     return Thread.ofPlatform().daemon().name("robotui-script-socket").unstarted(work);
   }
 

@@ -7,6 +7,10 @@ import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.robotui.api.script.ScriptOutcome;
 import org.robotui.api.script.ScriptSession;
@@ -31,6 +35,8 @@ final class SocketClient {
   private final SocketChannel channel;
   private final ScriptSession session;
   private final AtomicInteger waiting = new AtomicInteger();
+  /** A script is stopped by interrupting its thread, and a channel closes when a thread is interrupted that writes. */
+  private final ExecutorService writer = Executors.newSingleThreadExecutor(ScriptSocket::thread);
 
   SocketClient(SocketChannel channel, Scripts scripts) {
     this.channel = channel;
@@ -73,7 +79,10 @@ final class SocketClient {
       run(id, new ScriptSource(request.get("name") instanceof String name ? name : "script", text));
     } else if (request.get("complete") instanceof String line) {
       Completion completion = session.complete(line);
-      send(Map.of("id", id, "start", completion.start(), "words", completion.words()));
+      Map<String, Object> all = answerTo(id);
+      all.put("start", completion.start());
+      all.put("words", completion.words());
+      send(all);
     } else if (Boolean.TRUE.equals(request.get("stop"))) {
       session.stop("it was stopped by its program");
       send(id, "stopping", true);
@@ -95,8 +104,7 @@ final class SocketClient {
   }
 
   private static Map<String, Object> answer(long id, ScriptOutcome outcome) {
-    Map<String, Object> all = new LinkedHashMap<>();
-    all.put("id", id);
+    Map<String, Object> all = answerTo(id);
     switch (outcome) {
       case ScriptOutcome.Done done -> {
         all.put("value", done.value().orElse(null));
@@ -106,6 +114,13 @@ final class SocketClient {
       case ScriptOutcome.Failed failed -> error(all, "error", failed.reason(), failed.source(), failed.line());
       case ScriptOutcome.Stopped stopped -> error(all, "stopped", stopped.reason(), stopped.source(), stopped.line());
     }
+    return all;
+  }
+
+  /** The keys stand in the order in which they are put, so that an answer reads alike each time. */
+  private static Map<String, Object> answerTo(long id) {
+    Map<String, Object> all = new LinkedHashMap<>();
+    all.put("id", id);
     return all;
   }
 
@@ -120,7 +135,9 @@ final class SocketClient {
   }
 
   private void send(long id, String word, Object value) {
-    send(Map.of("id", id, word, value));
+    Map<String, Object> all = answerTo(id);
+    all.put(word, value);
+    send(all);
   }
 
   private void send(Map<String, Object> answer) {
@@ -134,10 +151,23 @@ final class SocketClient {
   }
 
   private static String unsent(Map<String, Object> answer, String why) {
-    return JsonText.write(Map.of("id", answer.get("id"), "error", "the value cannot be sent: " + why));
+    Map<String, Object> all = answerTo((Long) answer.get("id"));
+    all.put("error", "the value cannot be sent: " + why);
+    return JsonText.write(all);
   }
 
-  private synchronized void write(String line) {
+  /** Waits until it is written, so that a script does not print faster than its program reads. */
+  private void write(String line) {
+    try {
+      writer.submit(() -> transmit(line)).get();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt(); // the script is stopped, and asks for this next
+    } catch (ExecutionException | RejectedExecutionException e) {
+      LOG.debug("a program at the script socket is told no more: {}", e.toString());
+    }
+  }
+
+  private void transmit(String line) {
     try {
       ByteBuffer bytes = ByteBuffer.wrap((line + "\n").getBytes(StandardCharsets.UTF_8));
       while (bytes.hasRemaining()) {
@@ -151,6 +181,7 @@ final class SocketClient {
   /** It has gone, or is sent away: what it moved is stopped. */
   void close() {
     session.close();
+    writer.shutdown();
     try {
       channel.close();
     } catch (IOException e) {

@@ -2,6 +2,7 @@ package org.robotui.script.internal.socket;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.BufferedReader;
@@ -98,6 +99,25 @@ class ScriptSocketTest {
       assertTrue(client.answers.readLine().contains("begun"));
       List<String> both = List.of(client.ask("{\"id\":2,\"stop\":true}"), client.answers.readLine());
       assertTrue(both.stream().anyMatch(l -> l.startsWith("{\"id\":1,\"stopped\":\"it was stopped")), both.toString());
+    }
+  }
+
+  @Test
+  void aStopWhileItPrintsLeavesTheProgramItsSession() throws IOException {
+    try (Client client = client()) {
+      for (int round = 0; round < 30; round++) {
+        client.say("{\"id\":1,\"run\":\"while (true) print('on')\"}\n");
+        assertTrue(client.answers.readLine().contains("on"), "round " + round);
+        client.say("{\"id\":2,\"stop\":true}\n");
+        List<String> both = new ArrayList<>(List.of("{\"id\":1,\"stopped\"", "{\"id\":2,\"stopping\""));
+        String line = "";
+        while (line != null && !both.isEmpty()) {
+          line = client.answers.readLine();
+          String answer = String.valueOf(line);
+          both.removeIf(answer::startsWith);
+        }
+        assertNotNull(line, "the connection was closed in round " + round);
+      }
     }
   }
 
