@@ -1,5 +1,6 @@
 package org.robotui.script.internal.engine;
 
+import java.time.Duration;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
@@ -21,6 +22,11 @@ public final class PlainText {
     return made.text.length() > LONGEST
         ? made.text.substring(0, LONGEST) + "\u2026 (cut after " + LONGEST + " characters)"
         : made.text.toString();
+  }
+
+  /** A limit, in seconds where it has whole ones. */
+  public static String of(Duration time) {
+    return time.toMillis() % 1000 == 0 ? time.toSeconds() + " s" : time.toMillis() + " ms";
   }
 
   private void value(Object value) {

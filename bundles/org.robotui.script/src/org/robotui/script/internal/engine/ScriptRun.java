@@ -1,6 +1,5 @@
 package org.robotui.script.internal.engine;
 
-import java.time.Duration;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.LongSupplier;
@@ -67,16 +66,12 @@ final class ScriptRun {
       throw new Halt(stopped.get(), Place.now());
     }
     if (computed.getAsLong() - since > limits.computing().toNanos()) {
-      throw new Halt("it computed for " + text(limits.computing())
+      throw new Halt("it computed for " + PlainText.of(limits.computing())
           + " without waiting, as an endless loop does; let it wait now and then: sleep(0.1)", Place.now());
     }
     if (limits.heap().isFull()) {
       throw new Halt("the memory of RobotUI is nearly used up, and this script may be what fills it", Place.now());
     }
-  }
-
-  private static String text(Duration time) {
-    return time.toMillis() % 1000 == 0 ? time.toSeconds() + " s" : time.toMillis() + " ms";
   }
 
   /** It has waited, or begins. */

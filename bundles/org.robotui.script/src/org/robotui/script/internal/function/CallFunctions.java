@@ -22,6 +22,7 @@ import org.robotui.api.port.SourceId;
 import org.robotui.api.script.ScriptCall;
 import org.robotui.api.script.ScriptFailure;
 import org.robotui.api.script.ScriptFunction;
+import org.robotui.script.internal.engine.PlainText;
 
 /** Asking robots: services, actions, plugins, settings, and what they have. */
 final class CallFunctions {
@@ -77,7 +78,7 @@ final class CallFunctions {
       case CallOutcome.Replied<?> replied -> replied.reply();
       case CallOutcome.Failed<?> failed -> throw new ScriptFailure(target + ": " + failed.reason());
       case CallOutcome.Cancelled<?> cancelled -> throw new ScriptFailure(target + ": the call was cancelled");
-      default -> throw new ScriptFailure(target + " has not answered within " + Waiting.text(limit));
+      default -> throw new ScriptFailure(target + " has not answered within " + PlainText.of(limit));
     };
   }
 

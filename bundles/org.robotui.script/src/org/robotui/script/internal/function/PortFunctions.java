@@ -17,6 +17,7 @@ import org.robotui.api.script.ScriptCall;
 import org.robotui.api.script.ScriptCallback;
 import org.robotui.api.script.ScriptFailure;
 import org.robotui.api.script.ScriptFunction;
+import org.robotui.script.internal.engine.PlainText;
 
 /** What robots send: listing, reading, waiting. */
 final class PortFunctions {
@@ -114,7 +115,7 @@ final class PortFunctions {
     ScriptCallback condition = call.function(0);
     Duration limit = call.seconds(1, PATIENCE);
     return Waiting.forSome(call, limit, () -> Optional.ofNullable(condition.call()).filter(PortFunctions::isTrue))
-        .orElseThrow(() -> new ScriptFailure("waited for " + Waiting.text(limit) + " in vain"));
+        .orElseThrow(() -> new ScriptFailure("waited for " + PlainText.of(limit) + " in vain"));
   }
 
   private static Object waitUntil(ScriptCall call) throws ScriptFailure, InterruptedException {
@@ -127,7 +128,7 @@ final class PortFunctions {
     return Waiting.forSome(call, limit, () -> access.newest(port).filter(e -> e.sequence() != seen[0]).filter(e -> {
       seen[0] = e.sequence();
       return isTrue(condition.call(e.value()));
-    })).orElseThrow(() -> new ScriptFailure("waited for " + Waiting.text(limit) + " for " + port + " in vain"
+    })).orElseThrow(() -> new ScriptFailure("waited for " + PlainText.of(limit) + " for " + port + " in vain"
         + (access.state(port) instanceof InputState.Live ? "" : " (" + access.state(port).explanation() + ")")))
         .value();
   }

@@ -16,6 +16,7 @@ import org.robotui.api.link.LinkState;
 import org.robotui.api.script.ScriptCall;
 import org.robotui.api.script.ScriptFailure;
 import org.robotui.api.script.ScriptFunction;
+import org.robotui.script.internal.engine.PlainText;
 
 /** Robot UIs: which there are, how they do, beginning and ending them. */
 final class UiFunctions {
@@ -73,7 +74,7 @@ final class UiFunctions {
     Ruic ruic = Named.ruic(call, 1);
     if (Waiting.until(call, limit, () -> ruic.snapshot().link() instanceof LinkState.Connected).isEmpty()) {
       LinkState link = ruic.snapshot().link();
-      throw new ScriptFailure(ruic.name() + " was not connected within " + Waiting.text(limit) + ": " + link.word()
+      throw new ScriptFailure(ruic.name() + " was not connected within " + PlainText.of(limit) + ": " + link.word()
           + (link.reason().isEmpty() ? "" : ", " + link.reason()));
     }
     return null;

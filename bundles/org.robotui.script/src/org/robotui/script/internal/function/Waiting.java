@@ -39,8 +39,4 @@ final class Waiting {
     }
     return found;
   }
-
-  static String text(Duration limit) {
-    return limit.toMillis() % 1000 == 0 ? limit.toSeconds() + " s" : limit.toMillis() + " ms";
-  }
 }
