@@ -30,22 +30,13 @@ interface Claim extends Term {
       if (one instanceof Operand.Number a && other instanceof Operand.Number b) {
         return new Operand.Truth(comparison.holds(a.value(), b.value(), look.active() ? look.slack() : 0));
       }
-      String left = word(one);
-      String right = word(other);
+      String left = one.text();
+      String right = other.text();
       if (comparison.ordered() || one instanceof Operand.Number || other instanceof Operand.Number) {
         return new Operand.Missing("'" + left + "' and '" + right + "' cannot be compared by " + comparison.sign()
             + "; numbers can, and words by == and !=", true);
       }
       return new Operand.Truth(comparison.holds(left, right));
-    }
-
-    private static String word(Operand found) {
-      return switch (found) {
-        case Operand.Number n -> n.text();
-        case Operand.Word w -> w.text();
-        case Operand.Truth t -> Boolean.toString(t.value());
-        case Operand.Missing m -> m.reason();
-      };
     }
 
     @Override

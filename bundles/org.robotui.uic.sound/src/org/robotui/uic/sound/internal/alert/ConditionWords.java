@@ -51,6 +51,11 @@ final class ConditionWords {
     return pieces.stream().anyMatch(piece -> COMBINING.stream().anyMatch(piece::is));
   }
 
+  /** All of them as they stand, without quotes. */
+  List<String> texts() {
+    return new ArrayList<>(pieces.subList(0, pieces.size() - 1).stream().map(Piece::text).toList());
+  }
+
   /** The next word; an empty one at the end. */
   Piece next() {
     return ahead(0);

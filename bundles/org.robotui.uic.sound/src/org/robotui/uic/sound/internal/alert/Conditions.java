@@ -1,12 +1,9 @@
 package org.robotui.uic.sound.internal.alert;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.robotui.api.input.Numerals;
 import org.robotui.data.record.FieldPath;
@@ -15,8 +12,6 @@ import org.robotui.data.status.Severity;
 
 /** Reads conditions as they are written in a configuration. */
 public final class Conditions {
-  private static final Pattern WORD =
-      Pattern.compile("\"([^\"]*)\"|'([^']*)'|(<=|>=|==|!=|<|>)|([^\\s\"'<>=!]+)|(\\S)");
   private static final String FORMS =
       "'battery charge < 0.2', 'scan stale', 'link lost', 'diagnostics >= ERROR' or 'log >= ERROR'";
   private static final int FIELD_WORDS = 4;
@@ -38,7 +33,7 @@ public final class Conditions {
     if (pieces.combine()) {
       return new ExpressionCondition(new ConditionParser(pieces).parse(), slack);
     }
-    List<String> words = words(text);
+    List<String> words = words(pieces);
     Optional<Comparison> sign = words.stream().map(Comparison::find).flatMap(Optional::stream).findFirst();
     if (sign.isEmpty()) {
       return state(text, words);
@@ -104,24 +99,11 @@ public final class Conditions {
     return Arrays.stream(type.getEnumConstants()).filter(each -> each.name().equals(name)).findFirst();
   }
 
-  private static List<String> words(String text) {
-    List<String> words = new ArrayList<>();
-    Matcher matcher = WORD.matcher(text);
-    while (matcher.find()) {
-      words.add(word(matcher));
-    }
+  private static List<String> words(ConditionWords pieces) {
+    List<String> words = pieces.texts();
     if (!words.isEmpty() && words.getFirst().endsWith(":")) {
       words.set(0, words.getFirst().substring(0, words.getFirst().length() - 1));
     }
     return words;
-  }
-
-  private static String word(Matcher matcher) {
-    for (int i = 1; i <= matcher.groupCount(); i++) {
-      if (matcher.group(i) != null) {
-        return matcher.group(i);
-      }
-    }
-    return matcher.group();
   }
 }

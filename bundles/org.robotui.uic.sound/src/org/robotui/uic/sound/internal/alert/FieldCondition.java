@@ -40,7 +40,7 @@ record FieldCondition(SourceName source, FieldPath path, Comparison comparison, 
     String name = reading.name();
     return switch (FieldLookup.of(reading, path)) {
       case Operand.Number n -> number(name, n.value(), n.text(), active);
-      case Operand.Truth t -> word(name, Boolean.toString(t.value()));
+      case Operand.Truth t -> word(name, t.text());
       case Operand.Word w -> word(name, w.text());
       case Operand.Missing m -> new Verdict.Unknown(m.reason(), m.wrong());
     };

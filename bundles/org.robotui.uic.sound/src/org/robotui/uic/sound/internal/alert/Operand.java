@@ -2,6 +2,9 @@ package org.robotui.uic.sound.internal.alert;
 
 /** What a part of a condition comes to. */
 sealed interface Operand {
+  /** As users read it. */
+  String text();
+
   /**
    * A number.
    *
@@ -18,8 +21,18 @@ sealed interface Operand {
   record Word(String text) implements Operand {}
 
   /** Whether something is so. */
-  record Truth(boolean value) implements Operand {}
+  record Truth(boolean value) implements Operand {
+    @Override
+    public String text() {
+      return Boolean.toString(value);
+    }
+  }
 
   /** It cannot be told; as of {@link Verdict.Unknown}. */
-  record Missing(String reason, boolean wrong) implements Operand {}
+  record Missing(String reason, boolean wrong) implements Operand {
+    @Override
+    public String text() {
+      return reason;
+    }
+  }
 }

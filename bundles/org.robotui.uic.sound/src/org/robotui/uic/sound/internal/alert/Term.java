@@ -51,20 +51,11 @@ interface Term {
       for (Signals.Reading reading : look.signals().readings(source)) {
         found = FieldLookup.of(reading, path);
         if (!(found instanceof Operand.Missing)) {
-          look.seen().put(reading.name() + "." + path, text(found));
+          look.seen().put(reading.name() + "." + path, found.text());
           return found;
         }
       }
       return found;
-    }
-
-    private static String text(Operand found) {
-      return switch (found) {
-        case Operand.Number n -> n.text();
-        case Operand.Truth t -> Boolean.toString(t.value());
-        case Operand.Word w -> w.text();
-        case Operand.Missing m -> m.reason();
-      };
     }
 
     @Override
@@ -122,7 +113,7 @@ interface Term {
 
     private static Operand notA(Operand found) {
       return found instanceof Operand.Missing ? found
-          : new Operand.Missing("one counts with numbers only, and " + found + " is none", true);
+          : new Operand.Missing("one counts with numbers only, and '" + found.text() + "' is none", true);
     }
 
     @Override
