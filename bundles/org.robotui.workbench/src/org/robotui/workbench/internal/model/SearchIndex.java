@@ -5,7 +5,6 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
-import java.util.stream.Stream;
 
 /**
  * What the search finds, prepared once for all letters that are typed: texts in lower case, where words begin in them,
@@ -21,11 +20,6 @@ public final class SearchIndex {
   /** Prepares entries. */
   public SearchIndex(List<SearchEntry> entries) {
     all = entries.stream().map(Prepared::of).toList();
-  }
-
-  /** The same with more entries behind them. */
-  public SearchIndex and(List<SearchEntry> more) {
-    return new SearchIndex(Stream.concat(all.stream().map(Prepared::entry), more.stream()).toList());
   }
 
   /**
