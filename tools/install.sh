@@ -2,15 +2,10 @@
 # this user watches (docs/installing.md). What runs takes up both at once.
 
 cmd_install() {
-  local what='' features=() options=()
-  while [[ $# -gt 0 ]]; do
-    case $1 in
-      --unsigned) options+=(-unsigned) ;;
-      -*) usage_error "install does not know '$1'" ;;
-      *) if [[ -z $what ]]; then what=$1; else features+=("$1"); fi ;;
-    esac
-    shift
-  done
+  local what words=() options=() features
+  parse_features install "$@"
+  what=${words[0]:-}
+  features=("${words[@]:1}")
   [[ -n $what ]] || usage_error "install needs an update site (an address or a folder), a folder with bundles that were built, or a jar"
   if [[ $what =~ ^[a-z]+:/ ]]; then
     change_features install -site "$what" "${features[@]}" "${options[@]}"
@@ -43,16 +38,23 @@ cmd_installed() {
 }
 
 cmd_update() {
-  local features=() options=()
+  local words=() options=()
+  parse_features update "$@"
+  change_features update "${words[@]}" "${options[@]}"
+}
+
+# parse_features COMMAND ARGUMENT...: fills words and options of the caller.
+parse_features() {
+  local command=$1
+  shift
   while [[ $# -gt 0 ]]; do
     case $1 in
       --unsigned) options+=(-unsigned) ;;
-      -*) usage_error "update does not know '$1'" ;;
-      *) features+=("$1") ;;
+      -*) usage_error "$command does not know '$1'" ;;
+      *) words+=("$1") ;;
     esac
     shift
   done
-  change_features update "${features[@]}" "${options[@]}"
 }
 
 # Features, or jars of the folder by the names that they have there.
