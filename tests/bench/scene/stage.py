@@ -77,13 +77,15 @@ class Stage(contextlib.ExitStack):
 
     def _wait_until_alike(self):
         end = time.monotonic() + ALIKE_PATIENCE
-        covered = {OURS: 0.0, RVIZ: 1.0}
-        while not ALIKE[0] < covered[OURS] / covered[RVIZ] < ALIKE[1]:
-            covered = {name: view.wait_until_complete(self.scene.rim) for name, view in self.views.items()}
-            self.bench.say("  of their views " + ", ".join(f"{name} covers {share * 100:.1f} %" for name, share in covered.items()))
-            self.bench.keep_picture(self.scene.name)
+        while not self._are_alike():
             if time.monotonic() > end:
                 raise CannotMeasure("they do not show the same")
+
+    def _are_alike(self):
+        covered = {name: view.wait_until_complete(self.scene.rim) for name, view in self.views.items()}
+        self.bench.say("  of their views " + ", ".join(f"{name} covers {share * 100:.1f} %" for name, share in covered.items()))
+        self.bench.keep_picture(self.scene.name)
+        return covered[RVIZ] > 0 and ALIKE[0] < covered[OURS] / covered[RVIZ] < ALIKE[1]
 
     def _halt(self):
         for view in self.views.values():
