@@ -11,7 +11,7 @@ import org.eclipse.swt.accessibility.AccessibleEvent;
 import org.eclipse.swt.widgets.Control;
 
 /** What screen readers are told of painted controls. Display thread. */
-final class Spoken {
+public final class Spoken {
   private Spoken() {}
 
   /** A list with a name, of which the row in focus is read. */
@@ -20,8 +20,13 @@ final class Spoken {
     name(control, () -> name, () -> row.get().replace('\t', ' '));
   }
 
-  /** A control of the platform with a name. */
-  static void name(Control control, String name) {
+  /**
+   * A control of the platform with a name.
+   *
+   * @param control any
+   * @param name what it is called
+   */
+  public static void name(Control control, String name) {
     name(control, () -> name, () -> "");
   }
 
