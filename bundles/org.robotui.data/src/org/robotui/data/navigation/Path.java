@@ -9,10 +9,10 @@ import org.robotui.data.internal.Check;
 import org.robotui.geometry.RigidTransform;
 
 /**
- * A way through space.
+ * A path through space.
  *
  * @param frame frame of the poses
- * @param poses frame from body along the way, first to last; empty where there is no way
+ * @param poses frame from body along the path, first to last; empty where there is no path
  */
 @Delivery(expires = false)
 public record Path(FrameId frame, List<RigidTransform> poses) implements Data, InFrame {

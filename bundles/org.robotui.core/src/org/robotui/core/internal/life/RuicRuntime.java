@@ -4,14 +4,10 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
-import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BooleanSupplier;
-import java.util.function.Consumer;
-import org.robotui.api.RuicType;
 import org.robotui.api.Uic;
 import org.robotui.api.alert.AlertBoard;
 import org.robotui.api.command.Authority;
@@ -39,7 +35,6 @@ import org.slf4j.LoggerFactory;
 /** One RUIC and its life. All changes happen on its worker, one after the other; everything else only asks for them. */
 public final class RuicRuntime implements Ruic, RuicParts.Wake {
   private static final Logger LOG = LoggerFactory.getLogger(RuicRuntime.class);
-  private static final Duration CLOSE_LIMIT = Duration.ofSeconds(2);
 
   private final AtomicReference<RuicConfig> config;
   private final Services services;
@@ -53,15 +48,10 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
   private final RuicRobots robots;
   private final Wiring wiring;
   private final LateViews lateViews;
-  private final Set<String> windows = ConcurrentHashMap.newKeySet();
   private final RuicInterfaces interfaces;
   private final Showings showings;
-  private Optional<RuicType> plannedWith = Optional.empty(); // only on the worker
-  private boolean wasSelected; // only on the worker
-  private boolean waits; // until it is shown; only on the worker
-  private boolean stands; // its components were made; only on the worker
   private final ArrangedViews arranged;
-  private volatile Health health = Health.ADDED;
+  private final RuicLife life;
 
   public RuicRuntime(RuicConfig config, RuicOverlay overlay, Services services) {
     this.overlay = overlay;
@@ -69,7 +59,6 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
     this.config = new AtomicReference<>(new Written(services.check()).withChosen(config, overlay));
     this.worker = new RuicWorker("ruic-" + config.name());
     this.frames = new RuicFrames(config.frames());
-    this.waits = config.startsShown();
     this.clock = new RuicClock(services.clock(), services.wall(), frames::clear);
     this.alerts = RuicAlerts.of(config, services);
     TrackedThreads threads = new TrackedThreads(config.name(), (t, e) -> LOG.error("{} ended", t.getName(), e));
@@ -78,54 +67,22 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
     this.components = new Components(parts);
     this.robots = new RuicRobots(this.config::get, services, components);
     this.wiring = new Wiring(parts, components, this::tell);
-    this.lateViews = new LateViews(services, components, worker::run, this::started);
+    this.lateViews = new LateViews(services, components, worker::run, () -> life().started());
     this.interfaces = new RuicInterfaces(parts, this.config, new AtomicReference<>(config), components, robots, wiring);
-    this.arranged = new ArrangedViews(parts, wiring, this::rearranged);
+    this.arranged = new ArrangedViews(parts, wiring, () -> life().rearranged());
     this.showings = new Showings(services, components, arranged);
+    this.life = new RuicLife(this.config::get, services, worker, components, robots, wiring, arranged, frames);
+  }
+
+  /** For those that are made before it and are used later. */
+  private RuicLife life() {
+    return life;
   }
 
   /** Creates all components; of a RUIC that starts when it is shown, then. */
   public void initialize() {
     robots.register(); // at once: who may command is asked for at once
-    worker.run(() -> {
-      if (!waits) {
-        create();
-      }
-    });
-  }
-
-  private void create() {
-    waits = false;
-    switch (Plan.of(config.get(), services.registry(), services.check())) {
-      case Plan.Outcome.Impossible i -> set(Health.failed(i.reason()));
-      case Plan.Outcome.Made m -> create(m.plan());
-    }
-  }
-
-  private void create(Plan plan) {
-    plannedWith = plan.type();
-    arranged.plan(plan);
-    components.start(config.get().rfics(), arranged.running(), robots::first);
-    stands = true;
-    wiring.rematch();
-    set(Health.RUNNING);
-    applySelection();
-  }
-
-  /** Applications lay out what there is at once; the views that come and go follow. */
-  private void rearranged() {
-    tell();
-    worker.run(() -> {
-      if (stands) {
-        components.rearrange(arranged.running(), robots::first).forEach(l -> services.events().alert(name(), l));
-        started();
-      }
-    });
-  }
-
-  private void set(Health now) {
-    health = now;
-    tell();
+    life.initialize();
   }
 
   private void tell() {
@@ -134,88 +91,38 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
 
   /** Component types have come or gone. Completes when that is taken up: when nothing of a type that has gone runs. */
   public CompletableFuture<Void> typesChanged() {
-    return worker.ask(() -> {
-      takeUpTypes();
-      return true;
-    }, true).thenAccept(taken -> {});
-  }
-
-  private void takeUpTypes() {
-    Optional<RuicType> type = services.registry().ruic(config.get().type());
-    if (!waits && !config.get().type().isEmpty() && !type.equals(plannedWith)) {
-      end(CLOSE_LIMIT);
-      create();
-    } else if (!waits && components.typesChanged()) {
-      started();
-    }
-  }
-
-  private void applySelection() {
-    if (health.isFailed()) {
-      return;
-    }
-    boolean selected = !windows.isEmpty();
-    wasSelected |= selected;
-    components.shown().forEach(s -> s.select(selected));
-    set(new Health(selected ? RuicState.SELECTED : wasSelected ? RuicState.UNSELECTED : RuicState.INITIALIZED, ""));
-  }
-
-  private List<String> end(Duration limit) {
-    plannedWith = Optional.empty();
-    stands = false;
-    try {
-      List<String> left = components.close(limit);
-      left.forEach(l -> services.events().alert(name(), l));
-      return left;
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-      return List.of(name() + ": closing was interrupted");
-    } finally {
-      wiring.clear();
-      frames.reset();
-    }
+    return life.typesChanged();
   }
 
   @Override
   public CompletionStage<RuicState> restart() {
-    return worker.ask(() -> {
-      end(CLOSE_LIMIT);
-      set(Health.ADDED);
-      interfaces.takeUpFile();
-      create();
-      return health.state();
-    }, RuicState.SHUT_DOWN);
+    return life.restart(interfaces::takeUpFile);
   }
 
   @Override
   public void restart(String id) {
     worker.run(() -> components.find(id).ifPresent(slot -> {
       slot.restart();
-      started();
+      life.started();
     }));
-  }
-
-  private void started() {
-    wiring.rematch();
-    applySelection();
-    tell();
   }
 
   @Override
   public CompletionStage<RuicState> remove() {
-    return shutDown(CLOSE_LIMIT).thenApply(left -> RuicState.SHUT_DOWN);
+    return shutDown(RuicLife.CLOSE_LIMIT).thenApply(left -> RuicState.SHUT_DOWN);
   }
 
+  /**
+   * Ends all components, and its worker.
+   *
+   * @param limit how long that may take
+   * @return completes with what could not be ended, a sentence each
+   */
   public CompletionStage<List<String>> shutDown(Duration limit) {
-    worker.run(() -> {
-      List<String> left = end(limit);
-      robots.unregister();
-      set(new Health(RuicState.SHUT_DOWN, ""));
-      worker.end(() -> services.events().removed(this), left);
-    });
-    return worker.ended();
+    return life.shutDown(limit, () -> services.events().removed(this));
   }
 
+  /** How many robot interfaces run. */
   public int running() {
     return components.rfics().size();
   }
@@ -248,14 +155,17 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
     }, new ExchangeOutcome.Refused(name() + " has ended"));
   }
 
+  /** As it runs now: with what users have exchanged and chosen. */
   public RuicConfig config() {
     return config.get();
   }
 
+  /** Whether it stands in that file. */
   public boolean isOf(String file) {
     return config.get().file().equals(file);
   }
 
+  /** The file says something else now: what would have to be done to follow it. */
   public List<ConfigChange.Step> fileChanged(RuicConfig latest) {
     return interfaces.fileChanged(latest);
   }
@@ -319,23 +229,12 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
 
   @Override
   public void select(String window) {
-    change(set -> set.add(window));
+    life.show(windows -> windows.add(window));
   }
 
   @Override
   public void unselect(String window) {
-    change(set -> set.remove(window));
-  }
-
-  private void change(Consumer<Set<String>> how) {
-    worker.run(() -> {
-      how.accept(windows);
-      if (waits && !windows.isEmpty()) {
-        create();
-      } else if (!waits) {
-        applySelection();
-      }
-    });
+    life.show(windows -> windows.remove(window));
   }
 
   @Override
@@ -350,7 +249,7 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
 
   @Override
   public RuicSnapshot snapshot() {
-    return Snapshots.of(name(), health, components, wiring.matches(), services.clock());
+    return Snapshots.of(name(), life.health(), components, wiring.matches(), services.clock());
   }
 
   @Override
