@@ -15,6 +15,8 @@ import org.robotui.ui.Theme;
  * sheets would colour. Display thread.
  */
 public final class Boxes {
+  /** By this the platform leaves a widget out when it gives all of a kind one colour. */
+  private static final String OWN_COLOURS = "org.eclipse.e4.ui.css.disabled";
   private static final int SASH = 4;
 
   private Boxes() {}
@@ -42,6 +44,18 @@ public final class Boxes {
     Splitter(Composite parent, int style) {
       super(parent, style | SWT.SMOOTH);
     }
+  }
+
+  /**
+   * Keeps the colours that a control of the platform is given: style sheets leave it and what is in it out.
+   *
+   * @param <C> the type of the control
+   * @param control any
+   * @return the control
+   */
+  public static <C extends Control> C ownColours(C control) {
+    control.setData(OWN_COLOURS, Boolean.TRUE);
+    return control;
   }
 
   /**

@@ -8,15 +8,12 @@ import org.robotui.ui.Theme;
 
 /** The ground around a field for typing, so that its words do not touch its edge. Display thread only. */
 final class Well {
-  /** By this the platform leaves a widget out when it gives all of a kind one colour. */
-  private static final String OWN_COLOURS = "org.eclipse.e4.ui.css.disabled";
   private static final int INSET = 6;
 
   private Well() {}
 
   static Composite in(Composite parent, Theme theme) {
-    Composite well = new Composite(parent, SWT.NONE);
-    well.setData(OWN_COLOURS, Boolean.TRUE);
+    Composite well = Boxes.ownColours(new Composite(parent, SWT.NONE));
     well.setBackground(theme.color(Role.GROUND));
     GridLayout inside = new GridLayout(1, false);
     inside.marginWidth = INSET;

@@ -5,6 +5,7 @@ import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
 import org.mozilla.javascript.ScriptRuntime;
+import org.robotui.api.config.Printable;
 import org.robotui.api.script.ScriptCallback;
 
 /** Plain values as users read them, nearly as they would write them. What is long is cut, and says so. */
@@ -71,9 +72,10 @@ public final class PlainText {
     text.append('}');
   }
 
+  /** As a script would write it; letters of all languages stay as they are. */
   private void quoted(String words) {
-    text.append('"')
-        .append(ScriptRuntime.escapeString(words.length() > LONGEST ? words.substring(0, LONGEST + 1) : words))
-        .append('"');
+    String cut = words.length() > LONGEST ? words.substring(0, LONGEST + 1) : words;
+    String escaped = cut.replace("\\", "\\\\").replace("\"", "\\\"").replace("\n", "\\n").replace("\t", "\\t");
+    text.append('"').append(Printable.of(escaped)).append('"');
   }
 }

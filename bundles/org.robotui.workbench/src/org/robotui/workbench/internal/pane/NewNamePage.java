@@ -17,14 +17,13 @@ import org.robotui.ui.Face;
 import org.robotui.ui.Icon;
 import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
+import org.robotui.ui.control.Boxes;
 import org.robotui.ui.control.PopupMenu;
 import org.robotui.ui.control.QuietButton;
 import org.robotui.workbench.internal.model.NewRobotModel;
 
 /** The third step: the name, the file, and what will stand in it. Display thread only. */
 final class NewNamePage extends Composite {
-  /** By this the platform leaves a widget out when it gives all of a kind one colour. */
-  private static final String OWN_COLOURS = "org.eclipse.e4.ui.css.disabled";
   private static final int INSET = 6;
 
   private final Theme theme;
@@ -148,8 +147,7 @@ final class NewNamePage extends Composite {
   }
 
   private Text text(String message, int columns) {
-    Composite frame = new Composite(this, SWT.NONE);
-    frame.setData(OWN_COLOURS, Boolean.TRUE);
+    Composite frame = Boxes.ownColours(new Composite(this, SWT.NONE));
     frame.setBackground(theme.color(Role.GROUND));
     GridLayout inset = new GridLayout(1, false);
     inset.marginWidth = INSET;

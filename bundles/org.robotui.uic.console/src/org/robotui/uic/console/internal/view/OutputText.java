@@ -8,6 +8,7 @@ import org.eclipse.swt.widgets.Composite;
 import org.robotui.ui.Face;
 import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
+import org.robotui.ui.control.Boxes;
 import org.robotui.uic.console.internal.model.ConsoleLine;
 import org.robotui.uic.console.internal.model.Transcript;
 
@@ -22,7 +23,7 @@ final class OutputText {
 
   OutputText(Composite parent, Theme theme) {
     this.theme = theme;
-    text = new StyledText(parent, SWT.READ_ONLY | SWT.MULTI | SWT.WRAP | SWT.V_SCROLL);
+    text = Boxes.ownColours(new StyledText(parent, SWT.READ_ONLY | SWT.MULTI | SWT.WRAP | SWT.V_SCROLL));
     text.setAlwaysShowScrollBars(false);
     text.setFont(theme.font(Face.FIGURES));
     text.setBackground(theme.color(Role.PANEL));

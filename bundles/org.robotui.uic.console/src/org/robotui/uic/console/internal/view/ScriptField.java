@@ -12,6 +12,7 @@ import org.robotui.api.script.ScriptSession.Completion;
 import org.robotui.ui.Face;
 import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
+import org.robotui.ui.control.Boxes;
 import org.robotui.ui.control.PopupMenu;
 import org.robotui.uic.console.internal.model.InputHistory;
 import org.robotui.uic.console.internal.model.OpenBrackets;
@@ -29,7 +30,7 @@ final class ScriptField {
   ScriptField(Composite parent, Theme theme, InputHistory history, ConsoleHands hands) {
     this.history = history;
     this.hands = hands;
-    text = new StyledText(parent, SWT.MULTI | SWT.V_SCROLL | SWT.WRAP);
+    text = Boxes.ownColours(new StyledText(parent, SWT.MULTI | SWT.V_SCROLL | SWT.WRAP));
     text.setAlwaysShowScrollBars(false);
     text.setFont(theme.font(Face.FIGURES));
     text.setBackground(theme.color(Role.GROUND));
