@@ -110,6 +110,11 @@ def test_one_more_view_is_added_by_its_name(nowhere, tmp_path):
     arranged.start()
     assert arranged.kept()["arrangement"]["added"] == {"plot-2": "plot"}
 
+    output("xdotool", "key", "--delay", "0", "ctrl+shift+a", *"console", "Return")
+    wait_for(lambda: arranged.kept()["arrangement"]["added"].get("console") == "console", what="a console")
+    output("xdotool", "sleep", "1", "type", "--delay", "30", 'perspective("Map")\n')
+    wait_for(lambda: arranged.kept().get("perspective") == "Map", what="what was typed into it")
+
 
 def test_whenever_it_is_killed_it_starts_with_a_layout_that_was(nowhere, tmp_path):
     times = 50 if os.environ.get("ROBOTUI_LONG") == "1" else 5

@@ -1,4 +1,5 @@
 """A robot gets its UI: by the form in the window, and by ./robotui new."""
+import re
 import subprocess
 
 import pytest
@@ -8,8 +9,11 @@ from desktop import DARK, Keys, Picture, Window, missing, output
 
 RUN_SECONDS = 120
 
-# All that are installed, in the order of their identifiers.
-FRAMEWORKS = ("foxglove", "gazebo", "lcm", "player", "ros", "ros2", "rosbridge", "xbot")
+# All that are installed, in the order of their identifiers; the examples of the SDK are in no product.
+RFIC = re.compile(r'<plugin id="org\.robotui\.rfic\.([a-z0-9]+)"')
+FRAMEWORKS = sorted(name for feature in (ROOT / "features").glob("*/feature.xml")
+                    if "sdk" not in feature.parent.name for name in RFIC.findall(feature.read_text()))
+HEADING = 44                                # pixels of the line of steps
 
 
 @pytest.fixture
@@ -106,7 +110,17 @@ class Form:
         self.click(330, self.height - 84)
 
     def next(self):
+        """Goes on to the next step, and waits until that is shown: a busy window shows the former one, whose button can still be pressed."""
+        before = self._heading()
+        self.create()
+        wait_for(lambda: self._heading() != before, what="the next step")
+
+    def create(self):
         self.click(self.width - 50, self.height - 22)
+
+    def _heading(self):
+        """The line of the steps, as it is painted."""
+        return output("import", "-silent", "-window", self.window, "-crop", f"{self.width}x{HEADING}+0+0", "-depth", "8", "ppm:-")
 
     def may_go_on(self):
         """Whether the last button is in the accent's colours."""
@@ -133,7 +147,7 @@ def test_a_user_makes_a_robot_ui_in_three_steps_and_it_is_shown(processes, envir
     output("xdotool", "type", "--delay", "40", "Keira")
     wait_for(form.may_go_on, what="the text")
     assert not (tmp_path / "keira.yaml").exists(), "nothing is written before the last button"
-    form.next()
+    form.create()
 
     written = wait_for(lambda: (tmp_path / "keira.yaml").exists() and (tmp_path / "keira.yaml").read_text(), what="the file")
     assert f"type: {speaks}" in written and "type: mobilebase" in written

@@ -62,7 +62,7 @@ final class ScriptField {
     boolean plain = event.stateMask == 0;
     event.doit = false;
     switch (event.keyCode) {
-      case SWT.CR, SWT.KEYPAD_CR -> enter(plain);
+      case SWT.CR, SWT.LF, SWT.KEYPAD_CR -> enter(plain);
       case SWT.TAB -> complete();
       case SWT.ESC -> escape();
       case SWT.ARROW_UP -> event.doit = !plain || !older();
