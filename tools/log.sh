@@ -9,7 +9,11 @@ help_log() {
       --json                    with info and check: one line for programs
   ./robotui log repair FILE NEW    write what can be read of it as a whole MCAP file
   ./robotui log convert FILE NEW   write a bag as MCAP
-      --compression C           with repair and convert: none, lz4 or zstd (default)
+  ./robotui log cut FILE NEW       write a part of it as MCAP
+  ./robotui log merge FILE... NEW  write several as one, by their times
+      --from T, --to T          with cut and merge: seconds from the beginning, such as 12.5, or 2026-11-27T10:00:00Z
+      --topics NAME,...         with cut and merge: * stands for any part of a name
+      --compression C           with all that write: none, lz4 or zstd (default)
 TEXT
 }
 

@@ -19,4 +19,16 @@ public record RecordedChannel(int id, String topic, String messageEncoding, Reco
   public RecordedChannel {
     metadata = Map.copyOf(metadata);
   }
+
+  /**
+   * Whether the last message of its sender holds until the next one comes, and is given to those who listen later:
+   * latched topics of ROS 1, and those of ROS 2 whose publishers are transient local.
+   *
+   * @return true where the recorder noted that
+   */
+  public boolean isLatched() {
+    String qos = metadata.getOrDefault("offered_qos_profiles", "").replace(" ", "");
+    return metadata.getOrDefault("latching", "").equals("1") || qos.contains("durability:1")
+        || qos.contains("durability:transient_local");
+  }
 }

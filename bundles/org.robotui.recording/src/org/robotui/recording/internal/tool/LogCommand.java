@@ -2,49 +2,124 @@ package org.robotui.recording.internal.tool;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.Predicate;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import org.robotui.recording.ChunkCompression;
+import org.robotui.recording.RecordedChannel;
+import org.robotui.recording.RecordingInterval;
+import org.robotui.recording.RecordingPart;
 
-/** What was asked for on the command line. */
-record LogCommand(Verb verb, Path file, Optional<Path> to, boolean json, ChunkCompression compression) {
+/**
+ * What was asked for on the command line.
+ *
+ * @param verb what is done
+ * @param from the files that are read
+ * @param to the file that is written, where one is
+ * @param json whether it is said to a program
+ * @param compression of what is written
+ * @param begin of the part that is written
+ * @param end of it
+ * @param topics patterns of the topics in it; none for all
+ */
+record LogCommand(Verb verb, List<Path> from, Optional<Path> to, boolean json, ChunkCompression compression,
+    Optional<LogTime> begin, Optional<LogTime> end, List<Pattern> topics) {
+  private static final String KNOWN =
+      "log knows info FILE, check FILE, repair FILE NEW, convert FILE NEW, cut FILE NEW and merge FILE... NEW";
 
   enum Verb {
-    INFO, CHECK, REPAIR, CONVERT;
+    INFO, CHECK, REPAIR, CONVERT, CUT, MERGE;
 
     boolean writes() {
-      return this == REPAIR || this == CONVERT;
+      return this != INFO && this != CHECK;
+    }
+
+    boolean takesParts() {
+      return this == CUT || this == MERGE;
+    }
+
+    String word() {
+      return name().toLowerCase(Locale.ROOT);
     }
   }
 
-  /** Empty where that cannot be understood. */
-  static Optional<LogCommand> of(List<String> arguments) {
-    List<String> words = new ArrayList<>(arguments);
-    Optional<Verb> verb = words.isEmpty() ? Optional.empty() : verb(words.remove(0));
-    boolean json = words.remove("--json");
-    int option = words.indexOf("--compression");
-    Optional<ChunkCompression> compression = Optional.of(ChunkCompression.ZSTD);
-    if (option >= 0 && option + 1 < words.size()) {
-      compression = LogTool.compression(words.remove(option + 1));
-      words.remove(option);
+  static LogCommand of(List<String> arguments) throws UsageException {
+    if (arguments.isEmpty()) {
+      throw new UsageException(KNOWN);
     }
-    if (verb.isEmpty() || compression.isEmpty() || words.stream().anyMatch(word -> word.startsWith("--"))
-        || words.size() != (verb.get().writes() ? 2 : 1) || json && verb.get().writes()
-        || option >= 0 && !verb.get().writes()) {
-      return Optional.empty();
-    }
-    return Optional
-        .of(new LogCommand(verb.get(), Path.of(words.get(0)), words.stream().skip(1).map(Path::of).findFirst(),
-            json, compression.get()));
+    Verb verb = Arrays.stream(Verb.values()).filter(each -> each.word().equals(arguments.getFirst())).findFirst()
+        .orElseThrow(() -> new UsageException(KNOWN));
+    List<String> words = new ArrayList<>(arguments.subList(1, arguments.size()));
+    boolean json = !verb.writes() && words.remove("--json");
+    Optional<String> compression = verb.writes() ? option(words, "--compression") : Optional.empty();
+    Optional<String> begin = verb.takesParts() ? option(words, "--from") : Optional.empty();
+    Optional<String> end = verb.takesParts() ? option(words, "--to") : Optional.empty();
+    Optional<String> topics = verb.takesParts() ? option(words, "--topics") : Optional.empty();
+    List<Path> files = files(verb, words);
+    int read = verb.writes() ? files.size() - 1 : files.size();
+    return new LogCommand(verb, files.subList(0, read), files.stream().skip(read).findFirst(), json,
+        compression(compression), time("--from", begin), time("--to", end), patterns(topics));
   }
 
-  private static Optional<Verb> verb(String word) {
-    for (Verb verb : Verb.values()) {
-      if (verb.name().toLowerCase(Locale.ROOT).equals(word)) {
-        return Optional.of(verb);
+  private static List<Path> files(Verb verb, List<String> words) throws UsageException {
+    for (String word : words) {
+      if (word.startsWith("--")) {
+        throw new UsageException("log " + verb.word() + " has no option " + word);
       }
     }
-    return Optional.empty();
+    int needed = verb.writes() ? 2 : 1;
+    if (verb == Verb.MERGE ? words.size() < needed + 1 : words.size() != needed) {
+      throw new UsageException(verb == Verb.MERGE ? "log merge takes two files or more and the name of a new one"
+          : "log " + verb.word() + " takes " + (verb.writes() ? "a file and the name of a new one" : "one file"));
+    }
+    return words.stream().map(Path::of).toList();
+  }
+
+  private static Optional<String> option(List<String> words, String name) throws UsageException {
+    int at = words.indexOf(name);
+    if (at < 0) {
+      return Optional.empty();
+    }
+    if (at + 1 >= words.size()) {
+      throw new UsageException(name + " needs a value");
+    }
+    words.remove(at);
+    return Optional.of(words.remove(at));
+  }
+
+  private static ChunkCompression compression(Optional<String> word) throws UsageException {
+    if (word.isEmpty()) {
+      return ChunkCompression.ZSTD;
+    }
+    return Arrays.stream(ChunkCompression.values())
+        .filter(each -> each.name().toLowerCase(Locale.ROOT).equals(word.get())).findFirst()
+        .orElseThrow(() -> new UsageException("--compression takes none, lz4 or zstd, not '" + word.get() + "'"));
+  }
+
+  private static Optional<LogTime> time(String name, Optional<String> word) throws UsageException {
+    return word.isEmpty() ? Optional.empty() : Optional.of(LogTime.of(name, word.get()));
+  }
+
+  private static List<Pattern> patterns(Optional<String> words) {
+    return words.stream().flatMap(each -> Arrays.stream(each.split(","))).filter(each -> !each.isBlank())
+        .map(each -> Pattern.compile(Arrays.stream(each.strip().split("\\*", -1)).map(Pattern::quote)
+            .collect(Collectors.joining(".*"))))
+        .toList();
+  }
+
+  /** The part of recordings that have such a span. */
+  RecordingPart part(RecordingInterval span) throws UsageException {
+    long start = begin.map(time -> time.in(span)).orElse(Long.MIN_VALUE);
+    long stop = end.map(time -> time.in(span)).orElse(Long.MAX_VALUE);
+    if (stop < start) {
+      throw new UsageException("--to lies before --from");
+    }
+    Predicate<RecordedChannel> chosen =
+        channel -> topics.isEmpty() || topics.stream().anyMatch(each -> each.matcher(channel.topic()).matches());
+    return new RecordingPart(new RecordingInterval(start, stop), chosen);
   }
 }

@@ -4,24 +4,26 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
-import org.robotui.recording.ChunkCompression;
+import java.util.stream.Collectors;
 import org.robotui.recording.RecordedAttachment;
 import org.robotui.recording.RecordingCopy;
 import org.robotui.recording.RecordingCursor;
 import org.robotui.recording.RecordingException;
 import org.robotui.recording.RecordingInterval;
+import org.robotui.recording.RecordingPart;
 import org.robotui.recording.RecordingReader;
 import org.robotui.recording.Recordings;
 import org.robotui.recording.ScanProgress;
 import org.robotui.recording.WriterOptions;
 
-/** The commands of {@code robotui log}: what is in a recording, whether it is whole, and a whole copy of it. */
+/**
+ * The commands of {@code robotui log}: what is in a recording, whether it is whole, and copies of all or a part of it.
+ */
 public final class LogTool {
-
   private static final int WHOLE = 0;
   private static final int DAMAGED = 1;
   private static final int REFUSED = 2;
@@ -35,7 +37,9 @@ public final class LogTool {
   }
 
   /**
-   * @param arguments {@code info|check [--json] FILE} or {@code repair|convert [--compression WORD] FILE NEW}
+   * @param arguments {@code info|check [--json] FILE}, {@code repair|convert|cut FILE NEW} or
+   * {@code merge FILE... NEW}; those that write with {@code --compression WORD}, the last two with {@code --from},
+   * {@code --to}, {@code --topics}
    */
   public static void main(String[] arguments) {
     PrintStream out = new PrintStream(System.out, true, StandardCharsets.UTF_8);
@@ -44,21 +48,27 @@ public final class LogTool {
 
   /** 0 if all is well, 1 if something in the recording is damaged, 2 if nothing could be done. */
   int run(List<String> arguments) {
-    Optional<LogCommand> command = LogCommand.of(arguments);
-    if (command.isEmpty()) {
-      err.println("robotui: log knows info FILE, check FILE, repair FILE NEW, convert FILE NEW; --json with info and"
-          + " check, --compression none, lz4 or zstd with repair and convert");
-      return REFUSED;
-    }
-    try (RecordingReader recording = Recordings.open(command.get().file(), ScanProgress.NONE)) {
-      return switch (command.get().verb()) {
-        case INFO -> info(recording, command.get().json());
-        case CHECK -> check(recording, command.get().json());
-        case REPAIR, CONVERT -> copy(recording, command.get());
-      };
-    } catch (RecordingException e) {
+    try {
+      return run(LogCommand.of(arguments));
+    } catch (RecordingException | UsageException e) {
       err.println("robotui: " + e.getMessage());
       return REFUSED;
+    }
+  }
+
+  private int run(LogCommand command) throws RecordingException, UsageException {
+    List<RecordingReader> recordings = new ArrayList<>();
+    try {
+      for (Path file : command.from()) {
+        recordings.add(Recordings.open(file, ScanProgress.NONE));
+      }
+      return switch (command.verb()) {
+        case INFO -> info(recordings.getFirst(), command.json());
+        case CHECK -> check(recordings.getFirst(), command.json());
+        case REPAIR, CONVERT, CUT, MERGE -> copy(recordings, command);
+      };
+    } finally {
+      recordings.forEach(RecordingReader::close);
     }
   }
 
@@ -97,30 +107,34 @@ public final class LogTool {
    * A repaired file is as good as one that never was damaged: that something is missing in it is said, and is no
    * failure.
    */
-  private int copy(RecordingReader recording, LogCommand command) throws RecordingException {
+  private int copy(List<RecordingReader> recordings, LogCommand command) throws RecordingException, UsageException {
     Path to = command.to().orElseThrow();
     if (Files.exists(to)) {
       err.println("robotui: " + to + " is there already: name a file that is new");
       return REFUSED;
     }
-    RecordingCopy.Outcome outcome = RecordingCopy.copy(recording, to,
-        WriterOptions.defaults().withCompression(command.compression()).withProfile(profile(recording)));
+    RecordingPart part = command.part(span(recordings));
+    if (!command.topics().isEmpty()
+        && recordings.stream().flatMap(each -> each.channels().stream()).noneMatch(part.channels())) {
+      err.println("robotui: no topic fits --topics; log info lists them");
+      return REFUSED;
+    }
+    RecordingCopy.Outcome outcome = RecordingCopy.copy(recordings, part, to,
+        WriterOptions.defaults().withCompression(command.compression()).withProfile(profile(recordings)));
     out.println(outcome.messages() + " messages were written to " + to);
     outcome.damages().forEach(out::println);
     return outcome.damages().isEmpty() || command.verb() == LogCommand.Verb.REPAIR ? WHOLE : DAMAGED;
   }
 
-  private static String profile(RecordingReader recording) {
-    Set<String> encodings = RecordingReport.encodings(recording);
-    return encodings.equals(Set.of("ros1")) ? "ros1" : encodings.equals(Set.of("cdr")) ? "ros2" : "";
+  private static RecordingInterval span(List<RecordingReader> recordings) {
+    return recordings.stream().flatMap(each -> each.span().stream())
+        .reduce((a, b) -> new RecordingInterval(Math.min(a.start(), b.start()), Math.max(a.end(), b.end())))
+        .orElse(new RecordingInterval(0, 0));
   }
 
-  /** What a word on the command line stands for. */
-  static Optional<ChunkCompression> compression(String word) {
-    try {
-      return Optional.of(ChunkCompression.valueOf(word.toUpperCase(Locale.ROOT)));
-    } catch (IllegalArgumentException e) {
-      return Optional.empty();
-    }
+  private static String profile(List<RecordingReader> recordings) {
+    Set<String> encodings = recordings.stream().flatMap(each -> RecordingReport.encodings(each).stream())
+        .collect(Collectors.toSet());
+    return encodings.equals(Set.of("ros1")) ? "ros1" : encodings.equals(Set.of("cdr")) ? "ros2" : "";
   }
 }
