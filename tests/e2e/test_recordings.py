@@ -40,8 +40,7 @@ def test_a_file_that_was_cut_off_becomes_whole(tmp_path):
 def test_the_parts_of_a_recording_are_the_recording_again(tmp_path):
     original, first, second, both = recording("bags/sena_loop.bag"), tmp_path / "first.mcap", tmp_path / "second.mcap", tmp_path / "both.mcap"
     log("cut", original, first, "--topics", "/*scan*")
-    log("cut", original, second, "--topics", ",".join(sorted({line.split()[2] for line in log("info", original).splitlines()
-                                                             if "  /" in line and "scan" not in line})))
+    log("cut", original, second, "--topics", "/tf*,/map,/odom")
     log("merge", first, second, both)
 
     assert messages(first) and messages(second)
