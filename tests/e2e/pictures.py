@@ -28,7 +28,6 @@ EXCHANGE = "exchange-dark.png"
 NEW_ROBOT = "new-robot-dark.png"
 INSTALL = "install-dark.png"
 TWO_FACES = "simulator: [{{robot: keira, speaks: [ros, player]}}]\nruics:\n  Keira:\n    type: mobilebase\n    rfics:\n      base: {{type: {type}}}\n"
-DOWN_TO_PLAYER = 2                              # in the menu of frameworks
 # Made together, as the robot drives meanwhile; the first ones are one view each.
 OF_VIEWS = {"scene-mobile-dark.png": "scene3d", "frames-dark.png": "tftree", "graph-dark.png": "graph"}
 DEMO = {*OF_VIEWS, "workbench-dark.png", "ros-inspect-dark.png", "workbench-light.png", "ros-plot-light.png"}
@@ -180,7 +179,7 @@ def new_robot(processes, environment):
     place = {"PLAYER_HOST": said.group(1), "PLAYER_PORT": said.group(2)}
     window = Window.open(Robot(processes, "", environment | place), processes.folder / "empty.yaml", "--theme", "dark", name="new")
     form = Form(window)
-    form.framework(DOWN_TO_PLAYER)
+    form.framework("player")
     form.connect()
     wait_for(form.may_go_on, what="the robot")
     form.next()
