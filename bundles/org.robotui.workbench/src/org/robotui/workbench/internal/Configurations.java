@@ -75,13 +75,19 @@ public final class Configurations implements AutoCloseable {
     List<Problem> found = switch (outcome) {
       case FileOutcome.Opened o -> o.problems();
       case FileOutcome.NotOpened n -> List
-          .of(new Problem(n.file().toString(), 0, 0, Problem.Severity.ERROR, n.reason()));
+          .of(new Problem(n.file().toString(), 0, 0, Problem.Severity.ERROR, withoutName(n)));
     };
     if (outcome instanceof FileOutcome.Opened o) {
       o.ruics().forEach(name -> opened.put(name, o.file()));
     }
     done(outcome.file(), found);
     opening.get(outcome.file()).accept(outcome);
+  }
+
+  /** The file is named beside the problem already. */
+  private static String withoutName(FileOutcome.NotOpened refused) {
+    String name = refused.file() + " ";
+    return refused.reason().startsWith(name) ? refused.reason().substring(name.length()) : refused.reason();
   }
 
   /** The file as which a RUIC was opened, where it was not loaded by a configuration that somebody wrote. */

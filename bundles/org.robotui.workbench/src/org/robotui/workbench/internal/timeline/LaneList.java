@@ -47,6 +47,7 @@ final class LaneList {
     hands = new TimeHands(canvas, bar, changed, seek, e -> false);
     canvas.addListener(SWT.MouseDown, this::down);
     canvas.addListener(SWT.MouseMove, e -> under = bar.rows().at(top + e.y));
+    canvas.addListener(SWT.MouseEnter, e -> under = bar.rows().at(top + e.y));
     canvas.addListener(SWT.MouseExit, e -> under = Optional.empty());
     canvas.addListener(SWT.KeyDown, this::key);
     canvas.addListener(SWT.MenuDetect, this::menu);

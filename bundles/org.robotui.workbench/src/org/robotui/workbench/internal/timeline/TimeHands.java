@@ -41,6 +41,7 @@ final class TimeHands {
     this.taken = taken;
     listen(SWT.MouseDown, this::down);
     listen(SWT.MouseMove, this::move);
+    listen(SWT.MouseEnter, this::move);
     listen(SWT.MouseUp, e -> {
       scrubbing = false;
       panned = OptionalInt.empty();

@@ -33,7 +33,11 @@ public final class TimelineBar extends Composite {
     super(parent, SWT.NONE);
     this.live = live;
     this.bar = bar;
-    setBackground(theme.color(Role.LINE));
+    setBackground(theme.color(Role.PANEL));
+    addPaintListener(e -> {
+      e.gc.setForeground(theme.color(Role.LINE));
+      e.gc.drawLine(0, 0, getSize().x, 0);
+    });
     GridLayout layout = new GridLayout(1, false);
     layout.marginWidth = 0;
     layout.marginHeight = 0;

@@ -56,7 +56,7 @@ final class TransportRow {
     marks[0] = button(Icon.BOOKMARK, "Bookmarks",
         t -> new BookmarkMenu(marks[0], bar, t).all().openBelow(marks[0]));
     local = time("0000-00-00 00:00:00.000", "Time of the position, on this machine's clock");
-    relative = time("000000.000 s", "Seconds after the start of the recordings");
+    relative = time("00000.000 s", "Seconds after the start of the recordings");
     lagging = new PlainLabel(row, SWT.NONE, theme, Face.SMALL, Role.WARNING);
     lagging.setLayoutData(new GridData(SWT.FILL, SWT.CENTER, true, false));
     problems = new QuietButton(row, theme, this::tellProblems);
@@ -102,7 +102,7 @@ final class TransportRow {
     text.setToolTipText(name);
     GC gc = new GC(text);
     GridData data = new GridData(SWT.BEGINNING, SWT.CENTER, false, false);
-    data.widthHint = gc.textExtent(longest).x + 2 * Theme.EDGE;
+    data.widthHint = gc.textExtent(longest).x + 4 * Theme.STEP;
     gc.dispose();
     text.setLayoutData(data);
     return text;
