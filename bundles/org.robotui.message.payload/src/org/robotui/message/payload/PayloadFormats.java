@@ -9,8 +9,8 @@ import org.robotui.message.payload.protobuf.DescriptorSet;
 import org.robotui.message.payload.protobuf.ProtobufFormat;
 
 /**
- * Finds out how messages are read, by what a server or a recording says of them. Where it has no definition of a type of ROS, the
- * one that is known here is taken; files may be read for that. Safe for all threads.
+ * Finds out how messages are read, by what a server or a recording says of them. Where it has no definition of a type
+ * of ROS, the one that is known here is taken; files may be read for that. Safe for all threads.
  */
 public final class PayloadFormats {
   private static final String IDL = "ros2idl";
