@@ -10,7 +10,9 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIf;
@@ -20,6 +22,11 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.robotui.api.link.LinkState;
 import org.robotui.api.replay.TimeRange;
 import org.robotui.api.replay.TimelineState;
+import org.robotui.recording.RecordedChannel;
+import org.robotui.recording.RecordingException;
+import org.robotui.recording.RecordingReader;
+import org.robotui.recording.Recordings;
+import org.robotui.recording.ScanProgress;
 import org.robotui.testkit.FakeRficContext;
 import org.robotui.testkit.FakeRficContext.Published;
 import org.robotui.testkit.recorded.SharedData;
@@ -27,6 +34,9 @@ import org.robotui.testkit.recorded.SharedData;
 /** Recordings of robots: whoever goes to a time sees what one sees who plays until then. */
 @EnabledIf(value = SharedData.AVAILABLE, disabledReason = SharedData.REASON)
 class RealPlaybackTest {
+  /** What happens is over after a move; transforms become frames; service events have definitions that no parser knows. */
+  private static final Set<String> UNSEEN = Set.of("rosout", "tf", "tf_static", "add_two_ints/_service_event");
+
   @TempDir
   private Path folder;
 
@@ -37,7 +47,7 @@ class RealPlaybackTest {
 
   @ParameterizedTest
   @MethodSource("files")
-  void showTheSameAtATimeWhoeverGoesThere(Path file) {
+  void showTheSameAtATimeWhoeverGoesThere(Path file) throws RecordingException {
     for (double share : new double[]{0, 0.5, 1}) {
       try (PlayBench played = new PlayBench(); PlayBench moved = new PlayBench()) {
         FakeRficContext one = open(played, file);
@@ -47,11 +57,25 @@ class RealPlaybackTest {
         FakeRficContext other = open(moved, file);
         moved.timeline.seek(to);
         PlayBench.await(() -> moved.state().toString(), () -> moved.state().position() == to);
-        PlayBench.await(() -> file + " at " + share + ": " + newest(one) + " but " + newest(other),
-            () -> newest(one).equals(newest(other)));
-        assertTrue(share == 0 || !newest(other).isEmpty(), "something is there");
+        Set<String> there = recorded(file, to);
+        PlayBench.await(() -> file + " at " + share + ": " + newest(one) + " but " + newest(other) + " of " + there,
+            () -> newest(one).equals(newest(other)) && newest(one).keySet().equals(there));
       }
     }
+  }
+
+  /** The ports whose topics have spoken by then, but for what happens and transforms. */
+  private static Set<String> recorded(Path file, long time) throws RecordingException {
+    Set<String> ports = new TreeSet<>();
+    try (RecordingReader recording = Recordings.open(file, ScanProgress.NONE)) {
+      for (RecordedChannel channel : recording.channels()) {
+        if (recording.latestBefore(channel.id(), time).isPresent()) {
+          ports.add(channel.topic().substring(1));
+        }
+      }
+    }
+    ports.removeAll(UNSEEN);
+    return ports;
   }
 
   private static FakeRficContext open(PlayBench bench, Path file) {
@@ -76,7 +100,7 @@ class RealPlaybackTest {
     Map<String, Integer> all = new TreeMap<>();
     context.published.forEach((port, values) -> {
       Published last = values.peekLast();
-      if (last != null && last.raw().isPresent() && !port.equals("rosout")) {
+      if (last != null && last.raw().isPresent() && !UNSEEN.contains(port)) {
         byte[] bytes = new byte[last.raw().get().bytes().size()];
         last.raw().get().bytes().buffer(ByteOrder.LITTLE_ENDIAN).get(bytes);
         all.put(port, Arrays.hashCode(bytes));
@@ -118,7 +142,7 @@ class RealPlaybackTest {
       FakeRficContext context = open(bench, SharedData.file("bags/sena_loop.bag"));
       bench.timeline.seek(bench.state().span().orElseThrow().end());
       PlayBench.await(() -> PlayBench.last(context, "odom"),
-          () -> PlayBench.last(context, "odom").contains("-4.802438"));
+          () -> PlayBench.last(context, "odom").contains("x=-4.80243"));
       assertEquals(1, context.published.get("map").stream().map(Published::value).distinct().count());
       assertTrue(context.kept.get("map"));
       assertTrue(context.transforms.stream().anyMatch(t -> t.fixed() && t.child().name().equals("laser")));

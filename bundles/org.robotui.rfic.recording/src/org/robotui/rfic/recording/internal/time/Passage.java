@@ -89,6 +89,11 @@ final class Passage {
     return Math.min(most, clock.realNanosUntil(time, real.getAsLong()));
   }
 
+  /** Whether all up to where it stands was delivered. */
+  boolean isDelivered() {
+    return clock.isPlaying() || seats.bound() > passed();
+  }
+
   boolean isPlaying() {
     return clock.isPlaying();
   }

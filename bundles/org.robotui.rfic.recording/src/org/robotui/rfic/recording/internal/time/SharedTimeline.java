@@ -39,6 +39,7 @@ public final class SharedTimeline implements Timeline {
   private final TimelineNotes notes = new TimelineNotes();
   private Passage passage;
   private Optional<StepWish> step = Optional.empty();
+  private boolean stepping;
   private boolean news;
   private long toldAt;
   private Optional<TimelineThread> thread = Optional.empty();
@@ -123,6 +124,21 @@ public final class SharedTimeline implements Timeline {
     }
   }
 
+  /**
+   * Whether it is where it was wanted, and all that holds there was delivered.
+   *
+   * @return false while it is being moved
+   */
+  public boolean isThere() {
+    lock.lock();
+    try {
+      return !stepping && step.isEmpty() && !passage.isWanted() && !passage.isMoving()
+          && passage.isDelivered();
+    } finally {
+      lock.unlock();
+    }
+  }
+
   private void wake() {
     lock.lock();
     try {
@@ -180,6 +196,7 @@ public final class SharedTimeline implements Timeline {
       news |= passage.pass();
       boolean moves = passage.begin();
       Optional<StepWish> next = passage.isMoving() ? Optional.empty() : step;
+      stepping = next.isPresent();
       step = next.isPresent() ? Optional.empty() : step;
       return new Work(seats.all(), position(), moves, next, takeNews());
     } catch (InterruptedException e) {
@@ -215,6 +232,7 @@ public final class SharedTimeline implements Timeline {
     Optional<Long> nearest = wish.nearest(all, at);
     lock.lock();
     try {
+      stepping = false;
       nearest.filter(time -> !passage.isWanted() && !passage.isPlaying()).ifPresent(time -> take(time, at));
     } finally {
       lock.unlock();
