@@ -2,10 +2,12 @@ package org.robotui.rfic.recording.internal;
 
 import java.time.Duration;
 import java.util.List;
+import java.util.Optional;
 import org.osgi.service.component.annotations.Activate;
 import org.osgi.service.component.annotations.Component;
 import org.osgi.service.component.annotations.Reference;
 import org.robotui.api.Descriptor;
+import org.robotui.api.FileKind;
 import org.robotui.api.Rfic;
 import org.robotui.api.RficContext;
 import org.robotui.api.RficType;
@@ -40,6 +42,11 @@ public final class RecordingRficType implements RficType {
   @Override
   public Descriptor descriptor() {
     return DESCRIPTOR;
+  }
+
+  @Override
+  public Optional<FileKind> files() {
+    return Optional.of(new FileKind("Recordings", List.of("mcap", "bag", "bag.active"), RecordingSettings.FILE));
   }
 
   @Override

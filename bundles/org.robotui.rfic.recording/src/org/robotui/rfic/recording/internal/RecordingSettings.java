@@ -25,7 +25,7 @@ import org.robotui.rfic.recording.internal.time.PlaySettings;
  * @param playing how it comes to the timeline
  */
 public record RecordingSettings(Path file, TopicSettings topics, PlaySettings playing) {
-  private static final String FILE = "file";
+  static final String FILE = "file";
   private static final String OFFSET = "offset";
   private static final String PLAY = "play";
   private static final String LOOP = "loop";
