@@ -5,7 +5,7 @@ import java.util.List;
 
 /** Round times after the start of the recordings, with labels that tell neighbours apart. */
 final class ElapsedTicks {
-  private static final long DAY = 24 * TimeWords.HOUR;
+  private static final long DAY = TimeWords.DAY;
   private static final int MOST = 200;
   private static final long[] ROUND = {
       TimeWords.SECOND, 2 * TimeWords.SECOND, 5 * TimeWords.SECOND, 10 * TimeWords.SECOND, 15 * TimeWords.SECOND,

@@ -157,7 +157,10 @@ final class LaneList {
     }
     menu.push("Offset of " + track.file().getFileName() + " (" + TimeWords.offset(track.offset()) + " s)\u2026",
         () -> askOffset(track));
+    menu.push("Begin with the Earliest Recording", track.span().start() > bar.all().start(),
+        () -> live.timeline().ifPresent(t -> new TimelineMoves(t).align(track)));
     menu.push("Reset Offset", track.offset() != 0, () -> live.timeline().ifPresent(t -> t.shift(track.id(), 0)));
+    menu.line().push("Show All of " + track.file().getFileName(), () -> bar.zoom(track.span()));
     track.problems().forEach(problem -> menu.line().push("\u26a0  " + problem, () -> Clipboards.copy(problem)));
     menu.open(at);
   }

@@ -15,6 +15,7 @@ final class TimeWords {
   static final long SECOND = 1_000_000_000L;
   static final long MINUTE = 60 * SECOND;
   static final long HOUR = 60 * MINUTE;
+  static final long DAY = 24 * HOUR;
 
   private static final int NANO_DIGITS = 9;
   private static final Pattern SECONDS = Pattern.compile("[-+]?\\d{1,10}(\\.\\d{0,9})?");
@@ -33,17 +34,30 @@ final class TimeWords {
     return Figures.of(nanos / (double) SECOND, 3, "s");
   }
 
-  /** A length of time with so many decimals of a second: {@code 7.5 s}, {@code 1:07.5}, {@code 2:01:07.5}. */
+  /**
+   * A length of time with so many decimals of a second: {@code 7.5 s}, {@code 1:07.5}, {@code 2:01:07.5},
+   * {@code 3 d 2:01:07}; of whole days the days alone.
+   */
   static String elapsed(long nanos, int decimals) {
     long size = Math.abs(nanos);
     String sign = nanos < 0 ? "\u2212" : "";
+    if (size >= DAY) {
+      String rest = size % DAY == 0 && decimals == 0 ? "" : "\u00a0" + clock(size % DAY, decimals);
+      return sign + size / DAY + "\u00a0d" + rest;
+    }
     if (size < MINUTE) {
       return sign + fixed(size, decimals) + "\u00a0s";
     }
-    String rest = fixed(size % MINUTE, decimals);
-    String padded = rest.indexOf('.') == 1 || rest.length() == 1 ? "0" + rest : rest;
-    return sign + (size < HOUR ? Long.toString(size / MINUTE)
-        : String.format(Locale.ROOT, "%d:%02d", size / HOUR, size % HOUR / MINUTE)) + ":" + padded;
+    return sign + (size < HOUR ? size / MINUTE + ":" + padded(size, decimals) : clock(size, decimals));
+  }
+
+  private static String clock(long nanos, int decimals) {
+    return String.format(Locale.ROOT, "%d:%02d:%s", nanos / HOUR, nanos % HOUR / MINUTE, padded(nanos, decimals));
+  }
+
+  private static String padded(long nanos, int decimals) {
+    String seconds = fixed(nanos % MINUTE, decimals);
+    return seconds.indexOf('.') == 1 || seconds.length() == 1 ? "0" + seconds : seconds;
   }
 
   /** How fast, for example {@code 0.05×}. */

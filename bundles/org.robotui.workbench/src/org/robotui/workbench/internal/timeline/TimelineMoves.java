@@ -7,6 +7,7 @@ import org.robotui.api.replay.Bookmark;
 import org.robotui.api.replay.TimeRange;
 import org.robotui.api.replay.Timeline;
 import org.robotui.api.replay.TimelineState;
+import org.robotui.api.replay.Track;
 
 /** What buttons, keys and commands do with a timeline. Safe for all threads, as the timeline is. */
 public final class TimelineMoves {
@@ -68,6 +69,12 @@ public final class TimelineMoves {
           : new TimeRange(Math.min(at, now.start()), at);
       timeline.range(wanted.equals(span) ? Optional.empty() : Optional.of(wanted));
     });
+  }
+
+  /** Has a recording begin where the earliest begins, for those that were not made at the same time. */
+  void align(Track track) {
+    timeline.state().span()
+        .ifPresent(span -> timeline.shift(track.id(), track.offset() + span.start() - track.span().start()));
   }
 
   /** What is played: the part that was chosen, else all. */

@@ -21,6 +21,7 @@ class TimeWordsTest {
 
   @ParameterizedTest
   @CsvSource({"7500000000, 1, 7.5\u00a0s", "67500000000, 1, 1:07.5", "7267000000000, 0, 2:01:07", "0, 0, 0\u00a0s",
+      "86400000000000, 0, 1\u00a0d", "187267000000000, 0, 2\u00a0d\u00a04:01:07",
       "-1500000000, 1, \u22121.5\u00a0s", "600000000000, 0, 10:00", "59999999999, 0, 59\u00a0s"})
   void aLengthOfTimeIsAsLongAsItMustBe(long nanos, int decimals, String words) {
     assertEquals(words, TimeWords.elapsed(nanos, decimals));

@@ -78,6 +78,12 @@ class TimelineMovesTest {
   }
 
   @Test
+  void aRecordingIsShiftedToWhereTheEarliestBegins() {
+    moves.align(timeline.tracks().getFirst());
+    assertEquals(List.of("shift Husky " + -60 * SECOND), timeline.asked);
+  }
+
+  @Test
   void onlyTheNewestPlaceOfThePointerIsSought() {
     Deque<Runnable> display = new ArrayDeque<>();
     List<Long> sought = new ArrayList<>();
