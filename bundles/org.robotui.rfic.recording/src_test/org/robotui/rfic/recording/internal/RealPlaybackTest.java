@@ -34,7 +34,9 @@ import org.robotui.testkit.recorded.SharedData;
 /** Recordings of robots: whoever goes to a time sees what one sees who plays until then. */
 @EnabledIf(value = SharedData.AVAILABLE, disabledReason = SharedData.REASON)
 class RealPlaybackTest {
-  /** What happens is over after a move; transforms become frames; service events have definitions that no parser knows. */
+  /**
+   * What happens is over after a move; transforms become frames; service events have definitions that no parser knows.
+   */
   private static final Set<String> UNSEEN = Set.of("rosout", "tf", "tf_static", "add_two_ints/_service_event");
 
   @TempDir

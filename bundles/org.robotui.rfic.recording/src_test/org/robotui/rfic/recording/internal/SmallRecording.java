@@ -18,10 +18,12 @@ import org.robotui.recording.WriterOptions;
 
 /** Writes recordings of messages of ROS 2; times are seconds from a begin. */
 final class SmallRecording implements AutoCloseable {
+  static final String ODOMETRY = "nav_msgs/msg/Odometry";
   static final long BEGIN = 1_700_000_000_000_000_000L;
   private static final PayloadFormats FORMATS = new PayloadFormats(new RosDefinitions(Map.of()));
 
   private final RecordingWriter writer;
+  private ByteBuffer last = ByteBuffer.allocate(0);
   private final Map<String, RecordedChannel> channels = new HashMap<>();
 
   SmallRecording(Path file) throws RecordingException {
@@ -33,9 +35,12 @@ final class SmallRecording implements AutoCloseable {
   }
 
   SmallRecording odometry(String topic, double seconds, double x) throws RecordingException {
-    return say(topic, "nav_msgs/msg/Odometry", Map.of(), seconds, Map.of("header", header(seconds, "odom"),
-        "child_frame_id", "base_link", "pose", Map.of("pose", Map.of("position", Map.of("x", x), "orientation",
-            Map.of("w", 1)))));
+    return say(topic, ODOMETRY, Map.of(), seconds, odometry(seconds, x));
+  }
+
+  static Map<String, Object> odometry(double seconds, double x) {
+    return Map.of("header", header(seconds, "odom"), "child_frame_id", "base_link", "pose",
+        Map.of("pose", Map.of("position", Map.of("x", x), "orientation", Map.of("w", 1))));
   }
 
   SmallRecording transform(String topic, double seconds, String parent, String child, double x)
@@ -60,7 +65,13 @@ final class SmallRecording implements AutoCloseable {
           new RecordedSchema(type, "ros2msg", definition.getBytes(StandardCharsets.UTF_8)), metadata);
       channels.put(topic, channel);
     }
-    writer.write(channel, time(seconds), time(seconds), 0, format.write(fields));
+    last = format.write(fields);
+    return again(topic, seconds);
+  }
+
+  /** The bytes of the last message once more. */
+  SmallRecording again(String topic, double seconds) throws RecordingException {
+    writer.write(channels.get(topic), time(seconds), time(seconds), 0, last.duplicate());
     return this;
   }
 

@@ -22,7 +22,9 @@ import org.robotui.api.script.ScriptFunction;
 import org.robotui.api.script.ScriptFunctions;
 import org.robotui.rfic.recording.internal.time.SharedTimeline;
 
-/** What scripts can do with recordings. Times are seconds from the start of the earliest one, or written as ISO 8601. */
+/**
+ * What scripts can do with recordings. Times are seconds from the start of the earliest one, or written as ISO 8601.
+ */
 @Component
 public final class PlaybackFunctions implements ScriptFunctions {
   private static final double NANOS = 1e9;
@@ -52,8 +54,10 @@ public final class PlaybackFunctions implements ScriptFunctions {
     return List.of(
         deed("play()", "Plays the recordings that are open.", (call, span) -> timeline.play()),
         deed("pause()", "Has the recordings stand.", (call, span) -> timeline.pause()),
-        deed("seek(time)", "Moves the recordings, and waits until views can show that time: seconds from their start, or "
-            + "such as \"2026-11-27T10:00:00Z\".", (call, span) -> timeline.seek(time(call, 0, span))),
+        deed("seek(time)",
+            "Moves the recordings, and waits until views can show that time: seconds from their start, or "
+                + "such as \"2026-11-27T10:00:00Z\".",
+            (call, span) -> timeline.seek(time(call, 0, span))),
         deed("step(forward?, topic?)", "Has the recordings stand, and goes to the next message, or with false to the "
             + "former one, of any topic or of this one.", this::step),
         deed("playbackSpeed(factor)", "Sets how fast recordings are played: 0.01 to 100 times.", this::speed),

@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ThreadFactory;
+import java.util.concurrent.atomic.AtomicLong;
 import org.robotui.api.RficContext;
 import org.robotui.api.frame.FrameSink;
 import org.robotui.api.link.LinkReporter;
@@ -22,6 +23,7 @@ import org.robotui.api.time.ClockSource;
 import org.robotui.data.Conflation;
 import org.robotui.data.Data;
 import org.robotui.data.DataType;
+import org.robotui.data.geometry.TransformSet;
 
 /**
  * What a recording is given of core: nobody commands it, and its clock is that of the timeline, not of its topics. It
@@ -29,8 +31,10 @@ import org.robotui.data.DataType;
  *
  * @param core what core gives
  * @param streams what is published, by port
+ * @param received when the message was received that is being delivered
  */
-record PlayedContext(RficContext core, Map<String, Stream> streams) implements RficContext, Offers {
+record PlayedContext(RficContext core, Map<String, Stream> streams, AtomicLong received)
+    implements RficContext, Offers {
   /** A stream, and whether its values are merged. */
   record Stream(Publication<?> publication, boolean merged) {}
 
@@ -53,7 +57,7 @@ record PlayedContext(RficContext core, Map<String, Stream> streams) implements R
   };
 
   PlayedContext(RficContext core) {
-    this(core, new ConcurrentHashMap<>());
+    this(core, new ConcurrentHashMap<>(), new AtomicLong());
   }
 
   @Override
@@ -101,7 +105,7 @@ record PlayedContext(RficContext core, Map<String, Stream> streams) implements R
     Publication<T> made = core.offers().stream(port, demand);
     DataType type = port.dataType();
     streams.put(port.name(), new Stream(made, type.conflation() == Conflation.KEYED));
-    return made;
+    return type.type() == TransformSet.class ? new TimedStream<>(made, received::get) : made;
   }
 
   @Override
