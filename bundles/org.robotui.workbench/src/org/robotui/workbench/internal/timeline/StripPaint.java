@@ -26,7 +26,7 @@ record StripPaint(Theme theme, BarState bar) {
   private static final int FLAG = 4;
   private static final int GRIP = 5;
 
-  void paint(GC gc, Rectangle area, double[] columns) {
+  void paint(GC gc, Rectangle area, double[] columns, boolean focused) {
     TimeScale scale = bar.scale(area.width);
     Rectangle time = new Rectangle(scale.left(), 0, scale.width(), area.height);
     gc.setBackground(theme.color(Role.GROUND));
@@ -39,6 +39,10 @@ record StripPaint(Theme theme, BarState bar) {
     position(gc, scale);
     bar.pointer().ifPresent(x -> pointer(gc, scale, x, time));
     gc.setClipping((Rectangle) null);
+    if (focused) {
+      gc.setForeground(theme.color(Role.ACCENT));
+      gc.drawRectangle(time.x - GRIP - 1, BODY - 1, time.width + 2 * GRIP + 1, MARKS - BODY + 1);
+    }
   }
 
   private void ticks(GC gc, TimeScale scale, Rectangle time) {

@@ -46,6 +46,8 @@ final class TimeHands {
       scrubbing = false;
       panned = OptionalInt.empty();
     });
+    listen(SWT.Traverse,
+        e -> e.doit = e.detail == SWT.TRAVERSE_TAB_NEXT || e.detail == SWT.TRAVERSE_TAB_PREVIOUS);
     listen(SWT.MouseExit, e -> point(OptionalInt.empty()));
     listen(SWT.MouseVerticalWheel, this::wheel);
     listen(SWT.MouseHorizontalWheel, e -> pan(-e.count * WHEEL_POINTS / LINES));

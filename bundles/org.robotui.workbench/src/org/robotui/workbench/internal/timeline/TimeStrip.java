@@ -40,18 +40,23 @@ final class TimeStrip {
     paint = new StripPaint(theme, bar);
     canvas = new PaintedCanvas(parent, SWT.NONE, theme, Role.PANEL, (gc, area) -> {
       count(area);
-      paint.paint(gc, area, columns);
+      paint.paint(gc, area, columns, isFocused());
     });
     grip = new BarGrip(canvas, bar, live);
     hands = new TimeHands(canvas, bar, changed, seek, this::isTaken);
     canvas.addListener(SWT.KeyDown, this::key);
     canvas.addListener(SWT.MenuDetect, this::menu);
     canvas.addListener(SWT.FocusIn, e -> canvas.requestPaint());
+    canvas.addListener(SWT.FocusOut, e -> canvas.requestPaint());
     TimeVoice.slider(canvas, "Timeline", () -> TimeWords.seconds(bar.state().position() - bar.all().start()));
   }
 
   PaintedCanvas canvas() {
     return canvas;
+  }
+
+  private boolean isFocused() {
+    return canvas().isFocusControl();
   }
 
   /** Counting anew takes as long as all the rest, and is needed only when something else is shown. */

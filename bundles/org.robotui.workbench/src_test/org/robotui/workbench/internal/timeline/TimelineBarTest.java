@@ -186,6 +186,21 @@ class TimelineBarTest {
   }
 
   @Test
+  void theTabulatorLeavesIt() {
+    for (PaintedCanvas canvas : canvases()) {
+      assertTrue(traverses(canvas, SWT.TRAVERSE_TAB_NEXT));
+      assertFalse(traverses(canvas, SWT.TRAVERSE_ARROW_NEXT));
+    }
+  }
+
+  private static boolean traverses(Control control, int detail) {
+    Event event = new Event();
+    event.detail = detail;
+    control.notifyListeners(SWT.Traverse, event);
+    return event.doit;
+  }
+
+  @Test
   void ctrlAndTheWheelZoomAtThePointerAndTheWheelAloneMoves() {
     int x = x(100);
     wheel(strip(), x, 9, SWT.MOD1);
