@@ -22,7 +22,7 @@ import org.robotui.testkit.FakeSettings;
 
 /** Recordings on a timeline whose clock is moved by hand. */
 final class PlayBench implements AutoCloseable {
-  private static final long PATIENCE_NANOS = 20_000_000_000L;
+  private static final long PATIENCE_NANOS = 60_000_000_000L;
 
   private static final long TURN_NANOS = 50_000_000;
 

@@ -218,6 +218,23 @@ class PlaybackTest {
   }
 
   @Test
+  void whatARobotIsMadeOfStaysWhereItWasSaidOnce() throws RecordingException {
+    Path described = folder.resolve("described.mcap");
+    try (SmallRecording recording = new SmallRecording(described)) {
+      recording.odometry("/odom", 0, 0).say("/robot_description", "std_msgs/msg/String",
+          Map.of("offered_qos_profiles", "- durability: 1\n"), 1, Map.of("data", "<robot name=\"r\"/>"))
+          .odometry("/odom", 5, 5);
+    }
+    FakeRficContext context = bench.open(described, STANDING);
+    bench.seek(4);
+    PlayBench.await(() -> context.published.toString(), () -> context.published.containsKey("robot_description")
+        && context.published.get("robot_description").size() == 1);
+    bench.seek(0);
+    bench.seek(4);
+    assertEquals(1, context.published.get("robot_description").size());
+  }
+
+  @Test
   void howOftenTopicsSpeakIsKnownAfterAWhile() {
     open(STANDING);
     PlayBench.await(() -> bench.timeline.tracks().toString(), () -> bench.timeline.tracks().getFirst().lanes().stream()

@@ -21,6 +21,8 @@ import org.robotui.recording.RecordingReader;
 final class LaneScan {
   private static final int PARTS = 200;
   private static final int TURN = 2000;
+  /** Larger files would keep a disk busy for minutes. */
+  private static final long MOST_BYTES = 4L << 30;
 
   private final TopicTable table;
   private final RecordingReader recording;
@@ -53,8 +55,14 @@ final class LaneScan {
     return all;
   }
 
-  /** Reads all of it, slowly enough that others read as well. */
+  /** Reads all of it, slowly enough that others read as well; of a very large file nothing. */
   void run(BooleanSupplier over) throws InterruptedException {
+    if (recording.file().toFile().length() <= MOST_BYTES) {
+      read(over);
+    }
+  }
+
+  private void read(BooleanSupplier over) throws InterruptedException {
     Map<Integer, int[]> densities = new HashMap<>();
     RecordingCursor cursor = recording.cursor(RecordingInterval.ALWAYS, Set.of());
     try {

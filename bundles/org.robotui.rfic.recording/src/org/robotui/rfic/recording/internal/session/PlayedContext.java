@@ -2,6 +2,7 @@ package org.robotui.rfic.recording.internal.session;
 
 import java.nio.file.Path;
 import java.util.Map;
+import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ThreadFactory;
 import java.util.concurrent.atomic.AtomicLong;
@@ -24,6 +25,8 @@ import org.robotui.data.Conflation;
 import org.robotui.data.Data;
 import org.robotui.data.DataType;
 import org.robotui.data.geometry.TransformSet;
+import org.robotui.data.joint.RobotDescription;
+import org.robotui.data.marker.InteractiveMarkerSet;
 
 /**
  * What a recording is given of core: nobody commands it, and its clock is that of the timeline, not of its topics. It
@@ -38,6 +41,8 @@ record PlayedContext(RficContext core, Map<String, Stream> streams, AtomicLong r
   /** A stream, and whether its values are merged. */
   record Stream(Publication<?> publication, boolean merged) {}
 
+  /** What is put together from several messages by who publishes it, who says each state once. */
+  private static final Set<Class<?>> ONCE = Set.of(RobotDescription.class, InteractiveMarkerSet.class);
   /** The thread that follows topics knows the time a little too late. */
   private static final ClockSource SILENT = new ClockSource() {
     @Override
@@ -104,7 +109,9 @@ record PlayedContext(RficContext core, Map<String, Stream> streams, AtomicLong r
   public <T extends Data> Publication<T> stream(StreamPort<T> port, Demand demand) {
     Publication<T> made = core.offers().stream(port, demand);
     DataType type = port.dataType();
-    streams.put(port.name(), new Stream(made, type.conflation() == Conflation.KEYED));
+    if (!ONCE.contains(type.type())) {
+      streams.put(port.name(), new Stream(made, type.conflation() == Conflation.KEYED));
+    }
     return type.type() == TransformSet.class ? new TimedStream<>(made, received::get) : made;
   }
 

@@ -12,6 +12,7 @@ import org.robotui.api.replay.Timeline;
  */
 final class Passage {
   private static final long LATE_NANOS = TimeUnit.MILLISECONDS.toNanos(100);
+  private static final long TOGETHER_NANOS = TimeUnit.SECONDS.toNanos(10);
   private static final long TOLD_LATE_NANOS = TimeUnit.SECONDS.toNanos(1);
 
   private final LongSupplier real;
@@ -20,6 +21,7 @@ final class Passage {
   private Optional<TimeRange> range = Optional.empty();
   private boolean looping;
   private boolean touched;
+  private long begun;
   private Optional<Long> wanted = Optional.empty();
   private Optional<Long> target = Optional.empty();
   private long toldLateUntil;
@@ -30,12 +32,16 @@ final class Passage {
     this.toldLateUntil = real.getAsLong();
   }
 
-  /** One more is there: until a user does something, all are begun at the start. */
+  /**
+   * One more is there. Those of one configuration are opened one after another, and are begun together at the start.
+   */
   void joined(Seat seat, PlaySettings settings, boolean first) {
+    begun = first ? real.getAsLong() : begun;
+    boolean together = first || !touched && real.getAsLong() - begun < TOGETHER_NANOS;
     looping |= settings.loops();
     clock.play(clock.isPlaying() || settings.plays() && !touched, real.getAsLong());
     seat.join(position());
-    wanted = Optional.of(first || !touched ? seats.span().start() : shown());
+    wanted = Optional.of(together ? seats.span().start() : shown());
   }
 
   /** What is played: a part, or all. */

@@ -7,7 +7,7 @@ import org.slf4j.LoggerFactory;
 /** The thread of the timeline, which there is while a recording is open. */
 final class TimelineThread {
   private static final Logger LOG = LoggerFactory.getLogger(TimelineThread.class);
-  private static final Duration PATIENCE = Duration.ofSeconds(1);
+  private static final Duration PATIENCE = Duration.ofMillis(500);
 
   private final Thread thread;
   private volatile boolean ended;
