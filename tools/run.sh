@@ -4,9 +4,9 @@ readonly LIVE_SECONDS=8
 readonly DEFAULT_CONFIG=$ROOT/configs/natalie-keira.yaml
 
 cmd_run() {
-  local mode=window stay='' watch='' screenshot='' configs=() options=() window_options=() text_options=()
+  local mode=window stay='' watch='' screenshot='' configs=() files=() options=() window_options=() text_options=()
   parse_run_options "$@"
-  [[ ${#configs[@]} -gt 0 ]] || configs=("$(config_path "$DEFAULT_CONFIG")") || exit 2
+  [[ ${#configs[@]} -gt 0 || ${#files[@]} -gt 0 ]] || configs=("$(config_path "$DEFAULT_CONFIG")") || exit 2
   mode=$(mode_for_display "$mode" "$screenshot") || exit 2
   case $mode in
     json) options+=(-json) ;;&
@@ -20,7 +20,9 @@ cmd_run() {
   trap end_everything EXIT
   start_simulators "$stay" "${configs[@]}"
   start_controls "${configs[@]}"
-  run_application "$mode" -config "${configs[@]}" "${options[@]}"
+  [[ ${#configs[@]} -eq 0 ]] || options+=(-config "${configs[@]}")
+  [[ ${#files[@]} -eq 0 ]] || options+=(-open "${files[@]}")
+  run_application "$mode" "${options[@]}"
 }
 
 # Fills the local variables of cmd_run.
@@ -54,10 +56,22 @@ parse_run_options() {
         shift
         ;;
       -*) usage_error "run does not know '$1'" ;;
-      *) configs+=("$(config_path "$1")") || exit 2 ;;
+      *)
+        if is_recording "$1"; then
+          files+=("$(realpath -m "$1")")
+        else
+          configs+=("$(config_path "$1")") || exit 2
+        fi
+        ;;
     esac
     shift
   done
+}
+
+# A file with an extension that is not that of a configuration, nor the name of one in configs/.
+is_recording() {
+  local name=${1##*/}
+  [[ $name == ?*.?* && $name != *.yaml && $name != *.yml && ! -f $ROOT/configs/$1.yaml ]]
 }
 
 cmd_check() {

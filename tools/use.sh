@@ -2,7 +2,8 @@
 
 help_use() {
   cat <<'TEXT'
-  ./robotui run [CONFIG...]     open the workbench (default: the demo, with two simulated robots)
+  ./robotui run [CONFIG...]     open the workbench (default: the demo, with two simulated robots). A recording (FILE.mcap, FILE.bag) in place
+                                of a configuration is opened as a robot
       --text                    the text view, without a window
       --json                    JSON lines instead: one per port and second
       --show NAME               with --text or --json: also this robot UI, which starts only when it is shown

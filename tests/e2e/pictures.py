@@ -11,6 +11,7 @@ import time
 
 from conftest import ROOT, Processes, Robot, start_simulator, wait_for
 from desktop import DARK, LIGHT, Keys, Motion, Picture, Window, missing, output
+from playback import RECORDING, Bar
 from test_install import Served, sample_sites
 from test_new_robot import Form
 from views import MANIPULATOR, Views
@@ -27,11 +28,12 @@ SECONDS_OF_HOMING = 1.5                         # the motion takes some more
 EXCHANGE = "exchange-dark.png"
 NEW_ROBOT = "new-robot-dark.png"
 INSTALL = "install-dark.png"
+PLAYED = "recording-dark.png"
 TWO_FACES = "simulator: [{{robot: keira, speaks: [ros, player]}}]\nruics:\n  Keira:\n    type: mobilebase\n    rfics:\n      base: {{type: {type}}}\n"
 # Made together, as the robot drives meanwhile; the first ones are one view each.
 OF_VIEWS = {"scene-mobile-dark.png": "scene3d", "frames-dark.png": "tftree", "graph-dark.png": "graph"}
 DEMO = {*OF_VIEWS, "workbench-dark.png", "ros-inspect-dark.png", "workbench-light.png", "ros-plot-light.png"}
-KNOWN = {*CONFIGURED, *CONTROLLED, EXCHANGE, NEW_ROBOT, INSTALL, *DEMO}
+KNOWN = {*CONFIGURED, *CONTROLLED, EXCHANGE, NEW_ROBOT, INSTALL, PLAYED, *DEMO}
 # Across the building, so that it drives for a while.
 GOAL = "{header: {frame_id: map}, pose: {position: {x: 11.5, y: 7.2}, orientation: {w: 1}}}"
 BACK = "{header: {frame_id: map}, pose: {position: {x: 3.4, y: 7.0}, orientation: {z: 0.7, w: 0.7}}}"
@@ -212,6 +214,16 @@ def install(processes, environment):
     site.server.shutdown()
 
 
+def recording(processes, environment):
+    """A recording that plays, with its topics."""
+    window = Window(processes.start([ROOT / "robotui", "run", "--theme", "dark", RECORDING], "recording", environment))
+    bar = Bar(window)
+    bar.expand()
+    wait_for(lambda: (bar.position() or 0) > bar.at(0.3)[0], seconds=60, what="a way gone")
+    save(window, PLAYED)
+    window.close()
+
+
 def main():
     if missing():
         sys.exit(f"pictures need {missing()}")
@@ -232,6 +244,8 @@ def main():
                 new_robot(processes, environment)
             if INSTALL in wanted:
                 install(processes, environment)
+            if PLAYED in wanted:
+                recording(processes, environment)
             if wanted & DEMO:
                 robot = start_simulator(processes, environment, 0, "simulator")
                 dark(robot, configuration)

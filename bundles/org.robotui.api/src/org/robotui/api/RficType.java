@@ -1,5 +1,6 @@
 package org.robotui.api;
 
+import java.util.Optional;
 import org.robotui.api.config.Settings;
 
 /** A type of robotics framework interface component: a client of one framework. */
@@ -12,4 +13,15 @@ public interface RficType extends ComponentType {
    * @return a new instance, owned by core
    */
   Rfic create(RficContext context, Settings settings);
+
+  /**
+   * The files that it opens without that a user writes a configuration: they are given to an instance by one setting,
+   * and all others have their usual values. An instance whose file is wrong reports a link that has failed, with the
+   * reason.
+   *
+   * @return always the same; none where its robots are no files
+   */
+  default Optional<FileKind> files() {
+    return Optional.empty();
+  }
 }

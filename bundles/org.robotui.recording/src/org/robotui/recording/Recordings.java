@@ -33,6 +33,22 @@ public final class Recordings {
     }
   }
 
+  /**
+   * Whether a file is of one of the formats, by what it begins with.
+   *
+   * @param file any file
+   * @return true where {@link #open} would try to read it
+   * @throws RecordingException if it cannot be read
+   */
+  public static boolean isOne(Path file) throws RecordingException {
+    FileBytes bytes = FileBytes.open(file);
+    try {
+      return McapOpener.isOne(bytes) || BagOpener.isOne(bytes);
+    } finally {
+      bytes.close();
+    }
+  }
+
   private static RecordingReader open(FileBytes bytes, ScanProgress progress) throws RecordingException {
     if (McapOpener.isOne(bytes)) {
       return McapOpener.open(bytes, progress);

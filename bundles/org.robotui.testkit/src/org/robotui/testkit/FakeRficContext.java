@@ -69,6 +69,8 @@ public final class FakeRficContext implements RficContext, Offers, ClockSource {
   public final Deque<FrameTransform> transforms = new ConcurrentLinkedDeque<>();
   /** The simulated times so far, nanoseconds. */
   public final Deque<Long> simulated = new ConcurrentLinkedDeque<>();
+  /** The times to which a recording was moved, nanoseconds. */
+  public final Deque<Long> moves = new ConcurrentLinkedDeque<>();
   /** Who was told that a stream is wanted, by stream. */
   private final Map<String, Demand> wanted = new ConcurrentHashMap<>();
   /** All threads that were made. */
@@ -125,6 +127,12 @@ public final class FakeRficContext implements RficContext, Offers, ClockSource {
 
   @Override
   public void simulated(long nanos) {
+    simulated.add(nanos);
+  }
+
+  @Override
+  public void moved(long nanos) {
+    moves.add(nanos);
     simulated.add(nanos);
   }
 
@@ -236,6 +244,11 @@ public final class FakeRficContext implements RficContext, Offers, ClockSource {
     @Override
     public void kept(boolean forLateComers) {
       kept.put(port, forLateComers);
+    }
+
+    @Override
+    public void forget() {
+      published.get(port).clear();
     }
 
     @Override

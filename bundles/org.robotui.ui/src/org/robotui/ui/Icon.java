@@ -27,6 +27,14 @@ public enum Icon {
   PLAY("M 4.5 2.5 L 13 8 L 4.5 13.5 Z"),
   /** Hold on. */
   PAUSE("M 5 3 L 5 13 M 11 3 L 11 13"),
+  /** One further. */
+  STEP_FORWARD("M 3.5 3 L 10 8 L 3.5 13 Z M 12.5 3 L 12.5 13"),
+  /** One back. */
+  STEP_BACK("M 12.5 3 L 6 8 L 12.5 13 Z M 3.5 3 L 3.5 13"),
+  /** Again from the beginning. */
+  LOOP("M 4.5 12 L 11 12 C 15.5 12 15.5 5 11 5 L 5 5 C 3.4 5 2.2 6 1.9 7.5 M 7.3 2.6 L 4.8 5 L 7.3 7.4"),
+  /** A place that is noted. */
+  BOOKMARK("M 4 2 L 12 2 L 12 14 L 8 10.5 L 4 14 Z"),
   /** End. */
   STOP("M 3.5 3.5 L 12.5 3.5 L 12.5 12.5 L 3.5 12.5 Z"),
   /** More. */

@@ -87,6 +87,13 @@ public interface Host {
   Composition compose(InterfaceConfig wanted);
 
   /**
+   * Opens files such as recordings as robots.
+   *
+   * @return always the same
+   */
+  FileOpener files();
+
+  /**
    * Tells when RUICs, their states, matches, views or frames change.
    *
    * @param listener is called on a thread of core that all such listeners share; must not block

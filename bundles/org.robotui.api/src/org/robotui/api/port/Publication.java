@@ -48,6 +48,12 @@ public interface Publication<T extends Data> extends Offer {
   default void kept(boolean forLateComers) {}
 
   /**
+   * Says that what was published so far counts no more, as if nothing had come yet: a recording was moved to a time
+   * before it. Never blocks.
+   */
+  default void forget() {}
+
+  /**
    * Says what the robot's software promises of the delivery of this stream, such as the quality of service of its
    * publishers. Called on any thread, as often as it is looked at.
    *

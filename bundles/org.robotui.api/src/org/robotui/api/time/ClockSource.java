@@ -9,6 +9,26 @@ public interface ClockSource {
    */
   void simulated(long nanos);
 
+  /**
+   * The robot is a recording that is played, and this is the time in it. It is simulated time by which values grow old
+   * as well: they stay as they are while it stands still, and how fast it passes does not matter. Must be said before
+   * the first value is published.
+   *
+   * @param nanos time in the recording; not before the one that was said last, see {@link #moved}
+   */
+  default void replayed(long nanos) {
+    simulated(nanos);
+  }
+
+  /**
+   * As {@link #replayed}, where the recording was moved to another time, forward or back: a new epoch.
+   *
+   * @param nanos time in the recording
+   */
+  default void moved(long nanos) {
+    replayed(nanos);
+  }
+
   /** The robot lives in its own time again. */
   void live();
 

@@ -29,7 +29,8 @@ public interface RobotClock {
   Optional<Duration> offset();
 
   /**
-   * How often the clock has jumped back. A consumer that sees a new number forgets what it has accumulated.
+   * How often the clock has jumped back, or a recording was moved. A consumer that sees a new number forgets what it
+   * has accumulated.
    *
    * @return 0 before the first jump
    */

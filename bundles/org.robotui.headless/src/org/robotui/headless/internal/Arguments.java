@@ -14,6 +14,7 @@ import org.robotui.api.input.Numerals;
  * What the command line asks for.
  *
  * @param configurations the files to load
+ * @param files recordings and the like, which are opened as robots
  * @param json true for JSON lines, else text
  * @param limit how long to run
  * @param check a file to check only
@@ -25,11 +26,13 @@ import org.robotui.api.input.Numerals;
  * @param scriptSocket true to let other programs run scripts
  */
 record Arguments(
-    List<Path> configurations, boolean json, Optional<Duration> limit, Optional<Path> check, Optional<Duration> live,
+    List<Path> configurations, List<Path> files, boolean json, Optional<Duration> limit, Optional<Path> check,
+    Optional<Duration> live,
     Set<String> shown,
     boolean watch, Optional<String> reuse, Optional<Path> script, boolean scriptSocket) {
   static final String USAGE = """
       -config FILE...   load these configurations
+      -open FILE...     open these recordings as robots; see docs/recordings.md
       -json             print a JSON line per port and second in place of the text views
       -for SECONDS      end by itself
       -show NAME        also show this robot UI, which starts only when it is shown; may be given several times
@@ -67,6 +70,7 @@ record Arguments(
   private static final class Parser {
     private final List<String> words;
     private final List<Path> configurations = new ArrayList<>();
+    private final List<Path> files = new ArrayList<>();
     private final Set<String> shown = new LinkedHashSet<>();
     private boolean json;
     private boolean watch;
@@ -86,13 +90,15 @@ record Arguments(
       while (at < words.size()) {
         option(words.get(at++));
       }
-      return new Arguments(List.copyOf(configurations), json, limit, check, live, Set.copyOf(shown), watch, reuse,
+      return new Arguments(List.copyOf(configurations), List.copyOf(files), json, limit, check, live, Set.copyOf(shown),
+          watch, reuse,
           script, scriptSocket);
     }
 
     private void option(String word) throws Wrong {
       switch (word) {
-        case "-config" -> files(word);
+        case "-config" -> paths(word, configurations);
+        case "-open" -> paths(word, files);
         case "-json" -> json = true;
         case "-reuse" -> reuse = Optional.of(oneOf(word, List.of("md", "csv")));
         case "-show" -> shown.add(value(word));
@@ -106,10 +112,10 @@ record Arguments(
       }
     }
 
-    private void files(String option) throws Wrong {
-      configurations.add(Path.of(value(option)));
+    private void paths(String option, List<Path> named) throws Wrong {
+      named.add(Path.of(value(option)));
       while (at < words.size() && !words.get(at).startsWith("-")) {
-        configurations.add(Path.of(words.get(at++)));
+        named.add(Path.of(words.get(at++)));
       }
     }
 

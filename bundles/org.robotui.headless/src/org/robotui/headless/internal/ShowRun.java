@@ -6,12 +6,14 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import org.robotui.api.UicType.Surface;
 import org.robotui.api.command.Principal;
 import org.robotui.api.config.Configuration;
 import org.robotui.api.config.UserFolder;
+import org.robotui.api.host.FileOutcome;
 import org.robotui.api.host.Host;
 import org.robotui.api.host.Problem;
 import org.robotui.api.host.Ruic;
@@ -45,7 +47,9 @@ final class ShowRun {
   int show(Arguments arguments) throws InterruptedException {
     host.open(Surface.TEXT, USER);
     try (Selector ignored = new Selector(host, arguments.shown())) {
-      Exit loaded = load(arguments.configurations());
+      Exit configured = load(arguments.configurations());
+      Exit opened = open(arguments.files());
+      Exit loaded = configured == Exit.FINE ? opened : configured;
       sayWhatIsLeftOut(arguments.shown());
       return loaded == Exit.FINE || !host.ruics().isEmpty() ? withDoor(arguments, loaded) : loaded.code();
     } finally {
@@ -96,6 +100,30 @@ final class ShowRun {
       result = one == Exit.FINE ? result : one;
     }
     return result;
+  }
+
+  private Exit open(List<Path> files) {
+    List<CompletableFuture<FileOutcome>> outcomes =
+        files.stream().map(file -> host.files().open(file).toCompletableFuture()).toList();
+    Exit result = Exit.FINE;
+    for (CompletableFuture<FileOutcome> each : outcomes) {
+      Exit one = say(each.join());
+      result = result == Exit.FINE ? one : result;
+    }
+    return result;
+  }
+
+  private Exit say(FileOutcome outcome) {
+    return switch (outcome) {
+      case FileOutcome.Opened opened -> {
+        opened.problems().forEach(p -> err.println(CheckPrinter.line(p)));
+        yield Exit.FINE;
+      }
+      case FileOutcome.NotOpened refused -> {
+        err.println(refused.reason());
+        yield Exit.UNREADABLE;
+      }
+    };
   }
 
   private Exit load(Path file) {

@@ -23,8 +23,16 @@ class ArgumentsTest {
 
   @Test
   void withoutAnyItRunsAsTextWithoutEnd() throws Exception {
-    assertEquals(new Arguments(List.of(), false, Optional.empty(), Optional.empty(), Optional.empty(), Set.of(), false,
+    assertEquals(new Arguments(List.of(), List.of(), false, Optional.empty(), Optional.empty(), Optional.empty(),
+        Set.of(), false,
         Optional.empty(), Optional.empty(), false), Arguments.parse(new String[0]));
+  }
+
+  @Test
+  void recordingsAreFilesOfTheirOwn() throws Exception {
+    Arguments read = Arguments.parse(new String[]{"-config", "a.yaml", "-open", "b.bag", "c.mcap", "-json"});
+    assertEquals(List.of(Path.of("a.yaml")), read.configurations());
+    assertEquals(List.of(Path.of("b.bag"), Path.of("c.mcap")), read.files());
   }
 
   @Test

@@ -16,6 +16,7 @@ import java.util.concurrent.CountDownLatch;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.robotui.api.host.FileOutcome;
 import org.robotui.api.host.Problem;
 import org.robotui.testkit.host.FakeHost;
 import org.robotui.testkit.host.FakeRuic;
@@ -83,11 +84,42 @@ class ShowRunTest {
     assertEquals("a.yaml:1:2: error: wrong", err.toString(StandardCharsets.UTF_8).strip());
   }
 
+  @Test
+  void recordingsAreOpenedInTheirOrder() throws Exception {
+    host.opening(List.of(), name -> new FileOutcome.Opened(name, file, List.of("a"), List.of()));
+
+    assertEquals(Exit.FINE.code(), open(folder.resolve("b.bag"), folder.resolve("a.bag")));
+
+    assertEquals(List.of("open TEXT", "open b.bag", "open a.bag", "close"), host.calls());
+    assertEquals("", err.toString(StandardCharsets.UTF_8));
+  }
+
+  @Test
+  void aRecordingThatCannotBeOpenedSaysWhyAndTheOthersGoOn() throws Exception {
+    host.opening(List.of(), name -> name.endsWith("b.bag") ? new FileOutcome.NotOpened(name, "b.bag is no bag")
+        : new FileOutcome.Opened(name, file, List.of("a"), List.of()));
+
+    assertEquals(Exit.UNREADABLE.code(), open(folder.resolve("b.bag"), folder.resolve("a.bag")));
+
+    assertEquals("b.bag is no bag", err.toString(StandardCharsets.UTF_8).strip());
+    assertEquals(List.of("select terminal/a"), ruic.calls());
+  }
+
+  private int open(Path... files) throws InterruptedException {
+    return run(arguments(List.of(), List.of(files), Optional.of(Duration.ofMillis(20)), Set.of()));
+  }
+
   private int run(Path config, Optional<Duration> limit, String... shown) throws InterruptedException {
-    Set<String> names = Set.of(shown);
-    Arguments arguments =
-        new Arguments(List.of(config), true, limit, Optional.empty(), Optional.empty(), names, false, Optional.empty(),
-            Optional.empty(), false);
+    return run(arguments(List.of(config), List.of(), limit, Set.of(shown)));
+  }
+
+  private static Arguments arguments(List<Path> configs, List<Path> files, Optional<Duration> limit,
+      Set<String> shown) {
+    return new Arguments(configs, files, true, limit, Optional.empty(), Optional.empty(), shown, false,
+        Optional.empty(), Optional.empty(), false);
+  }
+
+  private int run(Arguments arguments) throws InterruptedException {
     return new ShowRun(host, print(out), print(err), stop, Optional.empty()).show(arguments);
   }
 

@@ -2,6 +2,7 @@ package org.robotui.message.topic;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.Consumer;
 import java.util.regex.Pattern;
 import org.robotui.api.config.Setting;
@@ -22,6 +23,7 @@ public record TopicSettings(
     List<Pattern> include,
     Map<String, List<String>> commands,
     boolean tf) {
+  private static final Set<String> LISTENING = Set.of("namespace", "topics", "tf");
 
   /** Takes copies. */
   public TopicSettings {
@@ -50,6 +52,27 @@ public record TopicSettings(
         Setting.of("path", names, List.of(), "topics to which waypoints are sent as a path"),
         Setting.of("poses", names, List.of(), "topics to which waypoints are sent as an array of poses"),
         Setting.of("tf", new ValueType.Flag(), true, "whether transforms are listened to"));
+  }
+
+  /**
+   * The settings of what can only be listened to.
+   *
+   * @param name throws IllegalArgumentException with a reason where a text is no name in the framework
+   * @return the schema of each
+   */
+  public static List<Setting> listening(Consumer<String> name) {
+    return settings(name).stream().filter(each -> LISTENING.contains(each.name())).toList();
+  }
+
+  /**
+   * Reads what was configured where no commands are given.
+   *
+   * @param settings has values for {@link #listening}
+   * @return the settings
+   */
+  public static TopicSettings ofListening(Settings settings) {
+    return new TopicSettings(namespace(settings.text("namespace")),
+        texts(settings, "topics").stream().map(TopicSettings::pattern).toList(), Map.of(), settings.flag("tf"));
   }
 
   /**

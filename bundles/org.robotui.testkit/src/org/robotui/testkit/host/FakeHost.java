@@ -7,6 +7,8 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.Executor;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -14,11 +16,14 @@ import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.stream.Stream;
+import org.robotui.api.FileKind;
 import org.robotui.api.UicType.Surface;
 import org.robotui.api.command.Principal;
 import org.robotui.api.config.Setting;
 import org.robotui.api.host.CheckReport;
 import org.robotui.api.host.Composition;
+import org.robotui.api.host.FileOpener;
+import org.robotui.api.host.FileOutcome;
 import org.robotui.api.host.Host;
 import org.robotui.api.host.HostListener;
 import org.robotui.api.host.Installed;
@@ -44,6 +49,9 @@ public final class FakeHost implements Host {
   private volatile Function<InterfaceConfig, Composition> composing = wanted -> {
     throw new UnsupportedOperationException("no test has said what is composed");
   };
+  private volatile List<FileKind> kinds = List.of();
+  private volatile Function<Path, FileOutcome> opening =
+      file -> new FileOutcome.NotOpened(file, "no robot interface opens it");
   private volatile BiFunction<Setting, Object, Optional<String>> wrong = (setting, value) -> Optional.empty();
 
   /**
@@ -66,6 +74,19 @@ public final class FakeHost implements Host {
   public void remove(FakeRuic ruic) {
     ruics.remove(ruic);
     tell(HostListener::ruicsChanged);
+  }
+
+  /**
+   * Sets which files can be opened, and what comes of that.
+   *
+   * @param values kinds of files
+   * @param outcome what comes of opening one
+   * @return this
+   */
+  public FakeHost opening(List<FileKind> values, Function<Path, FileOutcome> outcome) {
+    kinds = List.copyOf(values);
+    opening = outcome;
+    return this;
   }
 
   /**
@@ -215,6 +236,22 @@ public final class FakeHost implements Host {
   @Override
   public Composition compose(InterfaceConfig wanted) {
     return composing.apply(wanted);
+  }
+
+  @Override
+  public FileOpener files() {
+    return new FileOpener() {
+      @Override
+      public List<FileKind> kinds() {
+        return kinds;
+      }
+
+      @Override
+      public CompletionStage<FileOutcome> open(Path file) {
+        calls.add("open " + file.getFileName());
+        return CompletableFuture.completedFuture(opening.apply(file));
+      }
+    };
   }
 
   @Override

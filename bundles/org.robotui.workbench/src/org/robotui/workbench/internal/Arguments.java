@@ -13,6 +13,7 @@ import org.robotui.ui.Themes;
  * What the command line asks of the workbench. Words that it does not know are the platform's.
  *
  * @param configurations the files to load
+ * @param files recordings and the like, which are opened as robots
  * @param limit after which time to close
  * @param screenshot where to save a picture of the window
  * @param after how long to wait with the picture
@@ -21,7 +22,8 @@ import org.robotui.ui.Themes;
  * @param script a script to run once the configurations are read
  * @param scriptSocket whether other programs of this user may run scripts
  */
-public record Arguments(List<Path> configurations, Optional<Duration> limit, Optional<Path> screenshot, Duration after,
+public record Arguments(List<Path> configurations, List<Path> files, Optional<Duration> limit,
+    Optional<Path> screenshot, Duration after,
     Optional<String> theme, Optional<Path> measure, Optional<Path> script, boolean scriptSocket) {
   private static final double MOST_SECONDS = 1e6;
   private static final Duration USUAL_AFTER = Duration.ofSeconds(3);
@@ -50,6 +52,7 @@ public record Arguments(List<Path> configurations, Optional<Duration> limit, Opt
   private static final class Parser {
     private final List<String> words;
     private final List<Path> configurations = new ArrayList<>();
+    private final List<Path> files = new ArrayList<>();
     private Optional<Duration> limit = Optional.empty();
     private Optional<Path> screenshot = Optional.empty();
     private Duration after = USUAL_AFTER;
@@ -67,13 +70,15 @@ public record Arguments(List<Path> configurations, Optional<Duration> limit, Opt
       while (at < words.size()) {
         option(words.get(at++));
       }
-      return new Arguments(List.copyOf(configurations), limit, screenshot, after, theme, measure, script,
+      return new Arguments(List.copyOf(configurations), List.copyOf(files), limit, screenshot, after, theme, measure,
+          script,
           scriptSocket);
     }
 
     private void option(String word) {
       switch (word) {
-        case "-config" -> files(word);
+        case "-config" -> paths(word, configurations);
+        case "-open" -> paths(word, files);
         case "-for" -> limit = Optional.of(seconds(word));
         case "-after" -> after = seconds(word);
         case "-screenshot" -> screenshot = Optional.of(Path.of(value(word)));
@@ -85,10 +90,10 @@ public record Arguments(List<Path> configurations, Optional<Duration> limit, Opt
       }
     }
 
-    private void files(String option) {
-      configurations.add(Path.of(value(option)));
+    private void paths(String option, List<Path> named) {
+      named.add(Path.of(value(option)));
       while (at < words.size() && !words.get(at).startsWith("-")) {
-        configurations.add(Path.of(words.get(at++)));
+        named.add(Path.of(words.get(at++)));
       }
     }
 

@@ -2,10 +2,12 @@ package org.robotui.workbench.internal;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
@@ -13,6 +15,8 @@ import java.util.concurrent.Executor;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.function.BiConsumer;
+import java.util.function.Consumer;
+import org.robotui.api.host.FileOutcome;
 import org.robotui.api.host.Host;
 import org.robotui.api.host.Problem;
 import org.slf4j.Logger;
@@ -30,6 +34,8 @@ public final class Configurations implements AutoCloseable {
   private final ExecutorService worker = Executors.newSingleThreadExecutor(
       Thread.ofPlatform().daemon().name("robotui-load").factory());
   private final Set<Path> files = new LinkedHashSet<>();
+  private final Map<Path, Consumer<FileOutcome>> opening = new HashMap<>();
+  private final Map<String, Path> opened = new HashMap<>();
   private int reading;
 
   /**
@@ -58,6 +64,37 @@ public final class Configurations implements AutoCloseable {
     });
   }
 
+  /** Opens a file such as a recording as a robot; {@code done} is told on the display thread what came of it. */
+  public void open(Path file, Consumer<FileOutcome> done) {
+    reading++;
+    opening.put(file, done);
+    worker.execute(() -> host.files().open(file).thenAccept(outcome -> display.execute(() -> opened(outcome))));
+  }
+
+  private void opened(FileOutcome outcome) {
+    List<Problem> found = switch (outcome) {
+      case FileOutcome.Opened o -> o.problems();
+      case FileOutcome.NotOpened n -> List
+          .of(new Problem(n.file().toString(), 0, 0, Problem.Severity.ERROR, withoutName(n)));
+    };
+    if (outcome instanceof FileOutcome.Opened o) {
+      o.ruics().forEach(name -> opened.put(name, o.file()));
+    }
+    done(outcome.file(), found);
+    opening.get(outcome.file()).accept(outcome);
+  }
+
+  /** The file is named beside the problem already. */
+  private static String withoutName(FileOutcome.NotOpened refused) {
+    String name = refused.file() + " ";
+    return refused.reason().startsWith(name) ? refused.reason().substring(name.length()) : refused.reason();
+  }
+
+  /** The file as which a RUIC was opened, where it was not loaded by a configuration that somebody wrote. */
+  public Optional<Path> openedAs(String ruic) {
+    return Optional.ofNullable(opened.get(ruic));
+  }
+
   /** All files that were read, in their order, as they were named. */
   public List<Path> files() {
     return List.copyOf(files);
@@ -82,7 +119,8 @@ public final class Configurations implements AutoCloseable {
 
   /** Reads the files again that have problems. */
   public void reload() {
-    List.copyOf(problems.keySet()).forEach(this::load);
+    List.copyOf(problems.keySet()).forEach(
+        file -> Optional.ofNullable(opening.get(file)).ifPresentOrElse(done -> open(file, done), () -> load(file)));
   }
 
   /** A file was changed by somebody: what is wrong with it now. */

@@ -1,6 +1,7 @@
 package org.robotui.workbench.internal;
 
 import java.io.File;
+import java.nio.file.Files;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
@@ -9,6 +10,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Predicate;
+import java.util.stream.Stream;
 import org.eclipse.core.runtime.ILog;
 import org.eclipse.core.runtime.IStatus;
 import org.eclipse.core.runtime.Platform;
@@ -22,6 +24,7 @@ import org.robotui.api.UicType.Surface;
 import org.robotui.api.command.Principal;
 import org.robotui.api.config.Configuration;
 import org.robotui.api.config.Printable;
+import org.robotui.api.host.FileOutcome;
 import org.robotui.api.host.Host;
 import org.robotui.ui.Themes;
 import org.robotui.workbench.internal.display.DisplayLoss;
@@ -35,8 +38,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The workbench. Exit codes: 0 fine, 1 the display was lost, 2 a configuration cannot be read, 3 wrong arguments, 4 the
- * core did not start, 5 there is no display.
+ * The workbench. Exit codes: 0 fine, 1 the display was lost, 2 a configuration or a recording cannot be read, 3 wrong
+ * arguments, 4 the core did not start, 5 there is no display.
  */
 public final class WorkbenchApplication implements IApplication {
   /** How long the end may take, also when a robot hangs. */
@@ -79,10 +82,13 @@ public final class WorkbenchApplication implements IApplication {
    * the end.
    */
   private static Object start(Arguments arguments) throws InterruptedException {
-    List<String> unreadable =
-        arguments.configurations().stream().flatMap(file -> Configuration.unreadable(file).stream()).toList();
+    List<String> unreadable = Stream.concat(
+        arguments.configurations().stream().flatMap(file -> Configuration.unreadable(file).stream()),
+        arguments.files().stream().filter(Predicate.not(Files::exists)).map(file -> "there is no file " + file))
+        .toList();
     unreadable.forEach(WorkbenchApplication::say);
-    boolean nothingLeft = !unreadable.isEmpty() && unreadable.size() == arguments.configurations().size();
+    int named = arguments.configurations().size() + arguments.files().size();
+    boolean nothingLeft = !unreadable.isEmpty() && unreadable.size() == named;
     Object code = nothingLeft ? EXIT_OK : show(arguments);
     return EXIT_OK.equals(code) && !unreadable.isEmpty() ? UNREADABLE : code;
   }
@@ -145,6 +151,7 @@ public final class WorkbenchApplication implements IApplication {
   private static Object run(WorkbenchSession session, Display display) {
     Runnable withdraw = WorkbenchServices.publish(session);
     Runnable unheard = WorkbenchServices.listen(session::installed);
+    Runnable unfollowed = WorkbenchServices.timelines(session.timeline()::follow);
     Optional<Measurement> measurement =
         session.arguments().measure().map(file -> new Measurement(session.host(), display, file));
     Optional<WindowScripts> scripts = Optional.empty();
@@ -154,8 +161,9 @@ public final class WorkbenchApplication implements IApplication {
         ErrorLog.open(LoggerFactory.getILoggerFactory(), WorkbenchApplication::tellPlatform);
     try (Heartbeat heartbeat = new Heartbeat(session.host(), display);
         StopKeys keys = new StopKeys(display, session::stop)) {
-      RobotWorkbenchAdvisor advisor = new RobotWorkbenchAdvisor(session, heartbeat::begin);
       AtomicInteger exit = new AtomicInteger(EXIT_OK);
+      RobotWorkbenchAdvisor advisor =
+          new RobotWorkbenchAdvisor(session, heartbeat::begin, outcome -> opened(outcome, exit));
       scripts = WindowScripts.of(session, System.out, System.err, code -> {
         exit.set(code);
         display.asyncExec(PlatformUI.getWorkbench()::close);
@@ -168,10 +176,21 @@ public final class WorkbenchApplication implements IApplication {
       measurement.ifPresent(Measurement::close);
       session.close();
       end(session.host(), display);
+      unfollowed.run();
       unheard.run();
       withdraw.run();
       errors.ifPresent(ErrorLog::close);
       ended.countDown();
+    }
+  }
+
+  /** What the command line names is said there where it cannot be opened; what is missing was said already. */
+  private static void opened(FileOutcome outcome, AtomicInteger exit) {
+    if (outcome instanceof FileOutcome.NotOpened refused) {
+      exit.compareAndSet(EXIT_OK, UNREADABLE);
+      if (Files.exists(refused.file())) {
+        say(refused.reason());
+      }
     }
   }
 

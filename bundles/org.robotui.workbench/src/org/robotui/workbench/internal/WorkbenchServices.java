@@ -3,15 +3,18 @@ package org.robotui.workbench.internal;
 import java.time.Duration;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.Consumer;
 import org.eclipse.e4.ui.css.swt.theme.IThemeManager;
 import org.osgi.framework.Bundle;
 import org.osgi.framework.BundleContext;
 import org.osgi.framework.BundleException;
 import org.osgi.framework.Constants;
 import org.osgi.framework.FrameworkUtil;
+import org.osgi.framework.ServiceReference;
 import org.osgi.framework.startlevel.FrameworkStartLevel;
 import org.osgi.util.tracker.ServiceTracker;
 import org.robotui.api.host.Host;
+import org.robotui.api.replay.Timeline;
 import org.robotui.api.script.Scripts;
 import org.robotui.install.FeatureInstaller;
 import org.robotui.install.InstallListener;
@@ -73,6 +76,26 @@ public final class WorkbenchServices {
   /** What runs scripts. */
   static Optional<Scripts> scripts() {
     return service(Scripts.class);
+  }
+
+  /** Has somebody told of the timeline of recordings as it comes and goes; running the result ends that. */
+  static Runnable timelines(Consumer<Optional<Timeline>> told) {
+    ServiceTracker<Timeline, Timeline> tracker = new ServiceTracker<>(context(), Timeline.class, null) {
+      @Override
+      public Timeline addingService(ServiceReference<Timeline> reference) {
+        Timeline found = super.addingService(reference);
+        told.accept(Optional.ofNullable(found));
+        return found;
+      }
+
+      @Override
+      public void removedService(ServiceReference<Timeline> reference, Timeline gone) {
+        told.accept(Optional.empty());
+        super.removedService(reference, gone);
+      }
+    };
+    tracker.open();
+    return tracker::close;
   }
 
   private static <S> Optional<S> service(Class<S> type) {

@@ -27,6 +27,7 @@ import org.robotui.workbench.internal.model.Stops;
 import org.robotui.workbench.internal.model.WindowModel;
 import org.robotui.workbench.internal.model.Windows;
 import org.robotui.workbench.internal.pane.ExchangeDialog;
+import org.robotui.workbench.internal.timeline.LiveTimeline;
 
 /** What all windows of one run of the workbench share. Display thread only. */
 public final class WorkbenchSession {
@@ -50,6 +51,7 @@ public final class WorkbenchSession {
   private final Configurations configurations;
   private final Alerts alerts = new Alerts(System::nanoTime);
   private final KeyStore keys;
+  private final LiveTimeline timeline = new LiveTimeline(this::later);
 
   /**
    * Starts to follow the core.
@@ -130,6 +132,11 @@ public final class WorkbenchSession {
   /** Which keys run which commands. */
   public KeyStore keys() {
     return keys;
+  }
+
+  /** The recordings that are open. */
+  public LiveTimeline timeline() {
+    return timeline;
   }
 
   /** The theme. */

@@ -14,10 +14,12 @@ import org.junit.jupiter.api.Test;
 class ArgumentsTest {
   @Test
   void readsWhatIsOursAndLeavesThePlatformItsOwn() {
-    Arguments read = Arguments.parse("-clearPersistedState", "-config", "a.yaml", "b.yaml", "-for", "2", "-screenshot",
+    Arguments read = Arguments.parse("-clearPersistedState", "-config", "a.yaml", "b.yaml", "-open", "c.bag", "-for",
+        "2", "-screenshot",
         "x.png", "-after", "0.5", "-theme", "light", "-measure", "m.json", "-script", "p.js", "-scriptsocket");
 
-    assertEquals(new Arguments(List.of(Path.of("a.yaml"), Path.of("b.yaml")), Optional.of(Duration.ofSeconds(2)),
+    assertEquals(new Arguments(List.of(Path.of("a.yaml"), Path.of("b.yaml")), List.of(Path.of("c.bag")),
+        Optional.of(Duration.ofSeconds(2)),
         Optional.of(Path.of("x.png")), Duration.ofMillis(500), Optional.of("light"),
         Optional.of(Path.of("m.json")), Optional.of(Path.of("p.js")), true), read);
   }

@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.LinkedBlockingQueue;
@@ -16,6 +17,8 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.robotui.api.host.FileOutcome;
+import org.robotui.api.host.Problem;
 import org.robotui.testkit.host.FakeHost;
 
 class ConfigurationsTest {
@@ -25,8 +28,9 @@ class ConfigurationsTest {
   private final BlockingQueue<Runnable> display = new LinkedBlockingQueue<>();
   private final List<Path> loaded = new ArrayList<>();
   private final CompletableFuture<Void> components = new CompletableFuture<>();
+  private final FakeHost host = new FakeHost();
   private final Configurations configurations =
-      new Configurations(new FakeHost(), display::add, (file, problems) -> loaded.add(file), components);
+      new Configurations(host, display::add, (file, problems) -> loaded.add(file), components);
 
   @AfterEach
   void close() {
@@ -56,6 +60,35 @@ class ConfigurationsTest {
     components.complete(null);
     deliver();
     assertTrue(configurations.areRead());
+  }
+
+  @Test
+  void aRecordingThatIsOpenedIsKnownByItsRobot() throws Exception {
+    Path file = folder.resolve("a.bag");
+    List<FileOutcome> told = new ArrayList<>();
+    host.opening(List.of(), f -> new FileOutcome.Opened(f, folder.resolve("a.yaml"), List.of("a"), List.of()));
+    components.complete(null);
+    configurations.open(file, told::add);
+    deliver();
+    assertEquals(1, told.size());
+    assertEquals(Optional.of(file), configurations.openedAs("a"));
+    assertEquals(Optional.empty(), configurations.openedAs("b"));
+    assertEquals(List.of(), configurations.files());
+  }
+
+  @Test
+  void aRecordingThatCannotBeOpenedIsAProblemAndIsTriedAgainAsOne() throws Exception {
+    Path file = folder.resolve("a.bag");
+    components.complete(null);
+    configurations.open(file, outcome -> {});
+    deliver();
+    assertEquals(List.of("no robot interface opens it"),
+        configurations.problems().stream().map(Problem::message).toList());
+    host.opening(List.of(), f -> new FileOutcome.Opened(f, folder.resolve("a.yaml"), List.of("a"), List.of()));
+    configurations.reload();
+    deliver();
+    assertEquals(List.of(), configurations.problems());
+    assertEquals(List.of("open a.bag", "open a.bag"), host.calls());
   }
 
   private void deliver() throws InterruptedException {

@@ -3,6 +3,7 @@ package org.robotui.core.internal.compose;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
 import org.robotui.api.ComponentType;
 import org.robotui.api.RuicType;
 import org.robotui.api.host.Composition;
@@ -128,5 +129,12 @@ public final class Composing implements Composition {
   @Override
   public void close() {
     robot.close();
+  }
+
+  /** Ends the robot interface, and tells when it has ended. */
+  CompletableFuture<Void> end() {
+    CompletableFuture<Void> ended = new CompletableFuture<>();
+    robot.closeThen(() -> ended.complete(null));
+    return ended;
   }
 }

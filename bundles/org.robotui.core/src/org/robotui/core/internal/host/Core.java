@@ -25,6 +25,7 @@ import org.robotui.api.config.Setting;
 import org.robotui.api.host.CheckReport;
 import org.robotui.api.host.Composition;
 import org.robotui.api.host.ConfigChange;
+import org.robotui.api.host.FileOpener;
 import org.robotui.api.host.Host;
 import org.robotui.api.host.HostListener;
 import org.robotui.api.host.Installed;
@@ -37,6 +38,7 @@ import org.robotui.core.internal.command.Arbiters;
 import org.robotui.core.internal.command.DisplayWatch;
 import org.robotui.core.internal.command.StopWarmUp;
 import org.robotui.core.internal.compose.Composing;
+import org.robotui.core.internal.compose.FileOpening;
 import org.robotui.core.internal.config.model.CheckedValue;
 import org.robotui.core.internal.config.model.ConfigResult;
 import org.robotui.core.internal.config.model.RuicConfig;
@@ -76,6 +78,7 @@ public final class Core implements Host {
   private final Arbiters arbiters;
   private final Watch watch;
   private final Services services;
+  private final FileOpening opening;
   private volatile Services.Stage stage = NO_STAGE;
 
   /** A core without RUICs. */
@@ -89,6 +92,7 @@ public final class Core implements Host {
     this.services = new Services(parts.registry(), parts.check(), arbiters, events, watch, timer, parts.clock(),
         parts.wall(), parts.state().interfaces(), () -> List.copyOf(ruics),
         parts.bundles(), () -> stage);
+    this.opening = new FileOpening(services, parts.configs(), parts.state()::opened, this::load);
     watch.add(new DisplayWatchdog(display, parts.bundles(), new SuspectFile(parts.state().suspects()), files,
         this::tellOfDisplay));
     watch.add(new MemoryWatch(MemoryWatch.heap(), () -> arbiters.stopAll(NO_STAGE.principal()),
@@ -217,6 +221,11 @@ public final class Core implements Host {
   }
 
   @Override
+  public FileOpener files() {
+    return opening;
+  }
+
+  @Override
   public Subscription listen(HostListener listener) {
     return notifier.listen(listener);
   }
@@ -260,6 +269,7 @@ public final class Core implements Host {
 
   @Override
   public List<String> close(Duration limit) {
+    opening.close();
     ClosingTime time = time(limit);
     long end = System.nanoTime() + time.all().toNanos();
     List<RuicRuntime> all = List.copyOf(ruics);

@@ -27,6 +27,7 @@ import org.robotui.api.command.Principal;
 import org.robotui.api.config.Setting;
 import org.robotui.api.host.CheckReport;
 import org.robotui.api.host.Composition;
+import org.robotui.api.host.FileOpener;
 import org.robotui.api.host.Host;
 import org.robotui.api.host.HostListener;
 import org.robotui.api.host.Installed;
@@ -160,6 +161,11 @@ public final class CoreComponent implements Host {
   @Override
   public Composition compose(InterfaceConfig wanted) {
     return core.compose(wanted);
+  }
+
+  @Override
+  public FileOpener files() {
+    return core.files();
   }
 
   @Override

@@ -12,6 +12,9 @@ import org.robotui.core.internal.config.Checksum;
  * @param path the folder; it need not exist
  */
 public record StateFolder(Path path) {
+  /** File systems hold 255 bytes, of which a character may take four. */
+  private static final int LONGEST_NAME = 50;
+
   /** The folder by the system property {@code robotui.state}, else that of the XDG base directory specification. */
   public static StateFolder of(Properties properties, Map<String, String> environment) {
     return new StateFolder(UserFolder.state(properties, environment));
@@ -22,6 +25,14 @@ public record StateFolder(Path path) {
     Path absolute = configuration.toAbsolutePath().normalize();
     String name = absolute.getFileName().toString().replaceFirst("\\.ya?ml$", "");
     return path.resolve("overlays").resolve(name + "-" + Checksum.of(absolute.toString()) + ".yaml");
+  }
+
+  /** The configuration that is kept for a file that was opened: two files of one name in two folders have two. */
+  Path opened(Path file) {
+    Path absolute = file.toAbsolutePath().normalize();
+    String name = absolute.getFileName().toString();
+    return path.resolve("opened").resolve(
+        name.substring(0, Math.min(LONGEST_NAME, name.length())) + "-" + Checksum.of(absolute.toString()) + ".yaml");
   }
 
   /** Where robot interfaces may keep files. */

@@ -90,7 +90,7 @@ public final class LoneInterface implements AutoCloseable {
   }
 
   /** Ends it, and then does something else on its worker. */
-  void closeThen(Runnable next) {
+  public void closeThen(Runnable next) {
     worker.execute(() -> {
       slot.close(CLOSE_LIMIT);
       next.run();

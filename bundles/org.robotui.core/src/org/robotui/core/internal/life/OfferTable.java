@@ -58,7 +58,7 @@ final class OfferTable implements Offers {
   @Override
   public <T extends Data> Publication<T> stream(StreamPort<T> port, Demand demand) {
     StreamSource<T> source = add(new StreamSource<>(
-        id(port.name()), port, parts.link(), parts.clock(), new FencedDemand(demand), parts.background(),
+        id(port.name()), port, parts.link(), parts.clock(), parts.ages(), new FencedDemand(demand), parts.background(),
         this::remove));
     return measures(port.dataType()) ? new StampedStream<>(source, parts.stamps()) : source;
   }

@@ -19,6 +19,7 @@ import org.robotui.core.internal.command.Sender;
 import org.robotui.core.internal.config.model.ComponentConfig;
 import org.robotui.core.internal.port.CallPool;
 import org.robotui.core.internal.port.Link;
+import org.robotui.core.internal.time.RobotTime;
 import org.robotui.core.internal.time.StampWatch;
 import org.robotui.core.internal.time.TimeNotices;
 import org.robotui.core.internal.watch.Watch.Watched;
@@ -42,7 +43,7 @@ final class RficInstance extends Instance implements RficContext {
   private final CallPool tasks;
   private final Background background;
   private final OfferTable offers;
-  private final ClockSource clock;
+  private final RobotTime clock;
   private final StampWatch stamps;
   private final Watched watched = this::check;
   private volatile Optional<Rfic> rfic = Optional.empty();
@@ -68,7 +69,7 @@ final class RficInstance extends Instance implements RficContext {
         what -> services.events().alert(ruic.ruicName(), what)));
     this.offers =
         new OfferTable(new RficParts(config.id(), link, arbiter, sender, calls, tasks, services.timer(), background,
-            services.clock(), stamps, ruic.wake()::rematch, this::origin));
+            services.clock(), clock, stamps, ruic.wake()::rematch, this::origin));
   }
 
   @Override

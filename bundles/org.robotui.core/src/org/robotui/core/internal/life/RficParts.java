@@ -7,6 +7,7 @@ import org.robotui.core.internal.command.Arbiter;
 import org.robotui.core.internal.command.Sender;
 import org.robotui.core.internal.port.CallPool;
 import org.robotui.core.internal.port.Link;
+import org.robotui.core.internal.time.Ageing;
 import org.robotui.core.internal.time.NanoClock;
 import org.robotui.core.internal.time.StampWatch;
 
@@ -22,6 +23,7 @@ import org.robotui.core.internal.time.StampWatch;
  * @param timer for time-outs
  * @param background tells it of demand
  * @param clock monotonic
+ * @param ages the time by which its values grow old
  * @param stamps notices that the time of the robot jumped back
  * @param changed is told that the offers have changed
  * @param origin names its bundle and class
@@ -36,6 +38,7 @@ record RficParts(
     ScheduledExecutorService timer,
     Executor background,
     NanoClock clock,
+    Ageing ages,
     StampWatch stamps,
     Runnable changed,
     Supplier<String> origin) {}

@@ -38,12 +38,23 @@ public final class Fan<T extends Data> {
 
   /** Hands out a value. */
   public void publish(T value, Optional<Stamp> stamp, long receivedNanos, Optional<RawMessage> raw) {
+    publish(value, stamp, receivedNanos, raw, receivedNanos);
+  }
+
+  /** Hands out a value whose rate is measured on another clock. */
+  void publish(T value, Optional<Stamp> stamp, long receivedNanos, Optional<RawMessage> raw, long markedNanos) {
     Envelope<T> envelope = new Envelope<>(value, source, sequence.getAndIncrement(), stamp, receivedNanos, raw);
-    rate.mark(receivedNanos);
+    rate.mark(markedNanos);
     last.updateAndGet(held -> conflate(held, envelope));
     for (Mailbox<T> mailbox : mailboxes) {
       mailbox.offer(envelope);
     }
+  }
+
+  /** Forgets what is remembered, and what consumers have not taken yet. */
+  void forget() {
+    last.set(null);
+    mailboxes.forEach(mailbox -> mailbox.drain(envelope -> {}));
   }
 
   private Merged<T> conflate(Merged<T> held, Envelope<T> other) {

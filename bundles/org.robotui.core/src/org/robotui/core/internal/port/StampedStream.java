@@ -22,6 +22,11 @@ public record StampedStream<T extends Data>(StreamSource<T> source, StampWatch w
   }
 
   @Override
+  public void forget() {
+    source.forget();
+  }
+
+  @Override
   public void kept(boolean forLateComers) {
     source.kept(forLateComers);
   }

@@ -13,6 +13,7 @@ import org.robotui.api.port.Publication;
 import org.robotui.api.port.RawMessage;
 import org.robotui.api.port.SourceId;
 import org.robotui.api.port.StreamPort;
+import org.robotui.core.internal.time.Ageing;
 import org.robotui.core.internal.time.NanoClock;
 import org.robotui.data.Data;
 import org.robotui.data.DataType;
@@ -33,6 +34,7 @@ public final class StreamSource<T extends Data> implements Publication<T>, Offer
   private final DataType type;
   private final Link link;
   private final NanoClock clock;
+  private final Ageing ages;
   private final DemandSwitch demand;
   private final Withdrawal withdrawal;
   private final Fan<T> fan;
@@ -41,6 +43,7 @@ public final class StreamSource<T extends Data> implements Publication<T>, Offer
   private volatile Optional<Loss> newestLoss = Optional.empty();
   private volatile Failure failure = Failure.NONE;
   private volatile boolean kept;
+  private volatile long newestAt;
   private volatile String delivery = "";
 
   private record Loss(String reason, long nanos, boolean healed) {}
@@ -56,16 +59,17 @@ public final class StreamSource<T extends Data> implements Publication<T>, Offer
 
   /** Made by the table of offers. */
   public StreamSource(
-      SourceId id, StreamPort<T> port, Link link, NanoClock clock, Demand demand, Executor serial,
+      SourceId id, StreamPort<T> port, Link link, NanoClock clock, Ageing ages, Demand demand, Executor serial,
       Withdrawal withdrawal) {
     this.id = id;
     this.port = port;
     this.type = port.dataType();
     this.link = link;
     this.clock = clock;
+    this.ages = ages;
     this.demand = new DemandSwitch(demand, serial);
     this.withdrawal = withdrawal;
-    this.fan = new Fan<>(id, type, clock.nanos());
+    this.fan = new Fan<>(id, type, ages.nanos());
   }
 
   @Override
@@ -74,7 +78,9 @@ public final class StreamSource<T extends Data> implements Publication<T>, Offer
       failure = Failure.NONE;
       newestLoss.filter(loss -> !loss.healed())
           .ifPresent(loss -> newestLoss = Optional.of(new Loss(loss.reason(), loss.nanos(), true)));
-      fan.publish(value, stamp, receivedNanos, raw);
+      long at = ages.at(receivedNanos);
+      newestAt = at;
+      fan.publish(value, stamp, receivedNanos, raw, at);
     }
   }
 
@@ -82,6 +88,12 @@ public final class StreamSource<T extends Data> implements Publication<T>, Offer
   public void lost(long count, String reason) {
     lost.addAndGet(count);
     newestLoss = Optional.of(new Loss(reason, clock.nanos(), false));
+  }
+
+  @Override
+  public void forget() {
+    newestLoss = Optional.empty();
+    fan.forget();
   }
 
   @Override
@@ -127,12 +139,12 @@ public final class StreamSource<T extends Data> implements Publication<T>, Offer
 
   /** What a consumer of this source has. */
   InputState state(Tap<T> tap, NanoClock clock) {
-    return tap.latest().map(e -> aged(e, clock.nanos())).orElseGet(this::nothing);
+    return tap.latest().map(e -> aged(clock.nanos())).orElseGet(this::nothing);
   }
 
   /** What was received once stays in sight, whatever becomes of its source. */
-  private InputState aged(Envelope<T> newest, long now) {
-    double age = newest.ageSeconds(now);
+  private InputState aged(long now) {
+    double age = ageSeconds();
     Failure why = failure;
     if (!why.isNone()) {
       return lost(age, why.reason(), why.since(), now);
@@ -140,7 +152,11 @@ public final class StreamSource<T extends Data> implements Publication<T>, Offer
     return refused().<InputState>map(reason -> InputState.Stale.refused(age, id + ": " + reason))
         .or(() -> stale(age).map(
             late -> link.isUp() ? new InputState.Stale(age, id + ": " + late) : lost(age, late, link.since(), now)))
-        .orElseGet(() -> new InputState.Live(fan.rate().rateHz(now), age));
+        .orElseGet(() -> new InputState.Live(fan.rate().rateHz(ages.nanos()), age));
+  }
+
+  private double ageSeconds() {
+    return (ages.nanos() - newestAt) * SECONDS;
   }
 
   private InputState lost(double age, String why, long since, long now) {
@@ -190,12 +206,13 @@ public final class StreamSource<T extends Data> implements Publication<T>, Offer
   public PortStatus status(NanoClock clock) {
     Optional<Envelope<T>> last = fan.last();
     long now = clock.nanos();
-    double age = last.map(e -> e.ageSeconds(now)).orElse(Double.NaN);
+    double age = last.isPresent() ? ageSeconds() : Double.NaN;
     Optional<String> stale = last.flatMap(e -> stale(age));
     Failure why = failure;
     String problem = !why.isNone() ? why.reason() : told(now).or(() -> stale).orElse("");
     String value = last.map(e -> ValueText.of(e.value())).orElse("");
-    return new PortStatus(id, port.kind(), type.name(), demand.wanted(), fan.rate().count(), fan.rate().rateHz(now),
+    return new PortStatus(id, port.kind(), type.name(), demand.wanted(), fan.rate().count(),
+        fan.rate().rateHz(ages.nanos()),
         age,
         stale.isPresent() && refused().isEmpty() || !why.isNone() && last.isPresent(), lost.get() + fan.dropped(),
         problem, value, delivery);

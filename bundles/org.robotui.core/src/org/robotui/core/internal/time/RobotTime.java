@@ -4,7 +4,7 @@ import java.util.OptionalLong;
 import org.robotui.api.time.ClockSource;
 
 /** What one robot interface knows of its robot's time. */
-final class RobotTime implements ClockSource {
+public final class RobotTime implements ClockSource, Ageing {
   /** Several publishers of simulated time are never quite in step; that is no jump. */
   private static final long JITTER_NANOS = 10_000_000L;
 
@@ -13,6 +13,7 @@ final class RobotTime implements ClockSource {
   private final Runnable jumped;
   private final OffsetFilter filter = new OffsetFilter();
   private boolean simulated;
+  private volatile boolean replayed;
   private long simulatedNanos;
 
   RobotTime(NanoClock clock, WallClock wall, Runnable jumped) {
@@ -26,6 +27,24 @@ final class RobotTime implements ClockSource {
     if (advance(nanos)) {
       jumped.run();
     }
+  }
+
+  @Override
+  public void replayed(long nanos) {
+    replayed = true;
+    simulated(nanos);
+  }
+
+  @Override
+  public void moved(long nanos) {
+    replayed = true;
+    move(nanos);
+    jumped.run();
+  }
+
+  private synchronized void move(long nanos) {
+    simulated = true;
+    simulatedNanos = nanos;
   }
 
   private synchronized boolean advance(long nanos) {
@@ -44,6 +63,7 @@ final class RobotTime implements ClockSource {
 
   private synchronized boolean leaveSimulation() {
     boolean was = simulated;
+    replayed = false;
     simulated = false;
     if (was) {
       filter.clear();
@@ -56,6 +76,16 @@ final class RobotTime implements ClockSource {
     if (!isSimulated()) {
       filter.observe(clock.nanos(), wall.nanos() - stampNanos);
     }
+  }
+
+  @Override
+  public long nanos() {
+    return replayed ? simulatedNanos() : clock.nanos();
+  }
+
+  @Override
+  public long at(long receivedNanos) {
+    return replayed ? simulatedNanos() - (clock.nanos() - receivedNanos) : receivedNanos;
   }
 
   void forgetOffset() {

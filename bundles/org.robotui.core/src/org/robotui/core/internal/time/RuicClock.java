@@ -37,7 +37,7 @@ public final class RuicClock implements RobotClock {
   }
 
   /** The source of a robot interface; a new one in place of that of an earlier instance. */
-  public ClockSource source(String component) {
+  public RobotTime source(String component) {
     RobotTime time = new RobotTime(clock, wall, this::jump);
     times.put(component, time);
     return time;

@@ -19,6 +19,7 @@ import org.robotui.core.internal.port.StreamSource;
 import org.robotui.core.internal.support.Await;
 import org.robotui.core.internal.support.ManualClock;
 import org.robotui.core.internal.support.Samples;
+import org.robotui.core.internal.time.Ageing;
 import org.robotui.data.Data;
 import org.robotui.data.FrameId;
 import org.robotui.data.array.Doubles;
@@ -43,7 +44,8 @@ final class RobotBench implements RobotPorts, AutoCloseable {
   final CommandTarget<VelocityCommand> velocity = target(Samples.VELOCITY, this::out);
   final CommandTarget<NavigationGoal> goal = target(Samples.GOAL, this::out);
   final StreamSource<Odometry> odometry = new StreamSource<>(new SourceId("base", "odom"),
-      new StreamPort<>("odom", Odometry.class, Arity.MANY, ""), link, clock, Demand.IGNORED, Runnable::run, o -> {});
+      new StreamPort<>("odom", Odometry.class, Arity.MANY, ""), link, clock, Ageing.by(clock), Demand.IGNORED,
+      Runnable::run, o -> {});
   final List<CommandTarget<?>> targets = new ArrayList<>(List.of(velocity, goal));
   SafetyConfig safety = SafetyConfig.DEFAULT;
 

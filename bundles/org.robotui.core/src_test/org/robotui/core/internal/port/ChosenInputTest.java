@@ -21,6 +21,7 @@ import org.robotui.api.port.SourceId;
 import org.robotui.api.port.StreamPort;
 import org.robotui.core.internal.support.ManualClock;
 import org.robotui.core.internal.support.Samples;
+import org.robotui.core.internal.time.Ageing;
 import org.robotui.data.array.Bytes;
 import org.robotui.data.sensor.LaserScan;
 
@@ -35,7 +36,7 @@ class ChosenInputTest {
 
   private StreamSource<LaserScan> source(String name) {
     StreamPort<LaserScan> port = new StreamPort<>(name, LaserScan.class, Arity.MANY, "");
-    return new StreamSource<>(new SourceId("base", name), port, link, clock,
+    return new StreamSource<>(new SourceId("base", name), port, link, clock, Ageing.by(clock),
         wanted -> demand.add((wanted ? "+" : "-") + name), Runnable::run, o -> {});
   }
 

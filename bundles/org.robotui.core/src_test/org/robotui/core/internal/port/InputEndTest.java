@@ -19,7 +19,10 @@ import org.robotui.api.port.SourceId;
 import org.robotui.api.port.StreamPort;
 import org.robotui.core.internal.support.ManualClock;
 import org.robotui.core.internal.support.Samples;
+import org.robotui.core.internal.time.Ageing;
 import org.robotui.core.internal.time.NanoClock;
+import org.robotui.core.internal.time.RobotTime;
+import org.robotui.core.internal.time.RuicClock;
 import org.robotui.data.Data;
 import org.robotui.data.FrameId;
 import org.robotui.data.array.Bytes;
@@ -42,7 +45,8 @@ class InputEndTest {
   private <T extends Data> StreamSource<T> source(String name, Class<T> type) {
     Demand told = demand::add;
     StreamPort<T> port = new StreamPort<>(name, type, Arity.ONE, "");
-    return new StreamSource<>(new SourceId("base", name), port, link, clock, told, Runnable::run, o -> {});
+    return new StreamSource<>(new SourceId("base", name), port, link, clock, Ageing.by(clock), told, Runnable::run,
+        o -> {});
   }
 
   private <T extends Data> void publish(StreamSource<T> source, T value) {
@@ -338,5 +342,31 @@ class InputEndTest {
     front.close();
     publish(front, Samples.scan(1));
     assertEquals(0, input.drain(e -> {}));
+  }
+
+  @Test
+  void valuesOfARecordingGrowOldByItsTimeAndAreForgottenWhereItIsMoved() {
+    RuicClock times = new RuicClock(clock, clock::nanos, () -> {});
+    RobotTime time = times.source("recording");
+    time.replayed(100_000_000_000L);
+    StreamSource<LaserScan> played = new StreamSource<>(new SourceId("base", "scan"),
+        new StreamPort<>("scan", LaserScan.class, Arity.ONE, ""), link, clock, time, wanted -> {}, Runnable::run,
+        o -> {});
+    connected();
+    input.connect(List.of(played), "");
+    for (int i = 0; i < 5; i++) {
+      clock.advanceMillis(10_000); // a hundred times slower than it was recorded
+      time.replayed(100_000_000_000L + i * 100_000_000L);
+      publish(played, Samples.scan(i));
+    }
+    clock.advanceMillis(600_000);
+    assertEquals(10, assertInstanceOf(InputState.Live.class, input.state()).rateHz(), 2);
+    time.replayed(103_000_000_000L);
+    assertTrue(explanation(InputState.Stale.class, input.state()).contains("no new value for 2.6 s"));
+    played.forget();
+    assertTrue(input.latest().isEmpty());
+    assertInstanceOf(InputState.Waiting.class, input.state());
+    publish(played, Samples.scan(7));
+    assertInstanceOf(InputState.Live.class, input.state());
   }
 }

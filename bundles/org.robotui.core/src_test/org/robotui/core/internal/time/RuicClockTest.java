@@ -104,4 +104,24 @@ class RuicClockTest {
     assertEquals(ClockKind.ROBOT, clock.kind(), "a new instance starts anew");
     assertTrue(clock.offset().isPresent());
   }
+
+  @Test
+  void aRecordingThatIsMovedBeginsAnewInBothDirectionsAndValuesGrowOldByItsTime() {
+    RobotTime played = clock.source("recording");
+    played.replayed(5000 * MILLI);
+    assertEquals(0, clock.epoch());
+    mono.advanceMillis(60_000);
+    assertEquals(5000 * MILLI, played.nanos(), "it stands still");
+    assertEquals(4990 * MILLI, played.at(mono.nanos() - 10 * MILLI));
+    played.moved(9000 * MILLI);
+    assertEquals(1, clock.epoch());
+    assertEquals(new Stamp(9000 * MILLI, ClockKind.SIMULATED), clock.now());
+    played.moved(1000 * MILLI);
+    played.replayed(1500 * MILLI);
+    assertEquals(2, clock.epoch());
+    assertEquals(2, jumps.get());
+    assertEquals(1500 * MILLI, played.nanos());
+    played.live();
+    assertEquals(mono.nanos(), played.nanos());
+  }
 }

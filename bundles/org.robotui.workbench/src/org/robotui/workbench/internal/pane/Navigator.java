@@ -44,6 +44,11 @@ public final class Navigator extends Composite {
     /** Takes it away. */
     void remove(String ruic);
 
+    /** How it is called to take it away, where it is a file that was opened. */
+    default Optional<String> closing(String ruic) {
+      return Optional.empty();
+    }
+
     /** Shows what is connected, and why. */
     void connections(String ruic);
 
@@ -198,6 +203,6 @@ public final class Navigator extends Composite {
     menu.push("Change framework\u2026", () -> actions.exchange(name));
     menu.push("Restart", () -> actions.restart(name));
     menu.line();
-    menu.push("Remove", () -> actions.remove(name));
+    menu.push(actions.closing(name).orElse("Remove"), () -> actions.remove(name));
   }
 }

@@ -56,8 +56,9 @@ public final class ProblemsPane extends Composite {
 
   private void head(Runnable reload, Runnable close) {
     long errors = problems.stream().filter(p -> p.severity() == Problem.Severity.ERROR).count();
+    boolean whole = problems.stream().allMatch(p -> p.line() == 0);
     String text = errors == 0 ? "The configuration is usable, but look at this"
-        : "The configuration cannot be used as written";
+        : whole ? "A file cannot be opened" : "The configuration cannot be used as written";
     ShortenedLabel title = new ShortenedLabel(this, theme, Face.TITLE, Role.TEXT, text);
     title.setLayoutData(new GridData(SWT.FILL, SWT.CENTER, true, false));
     new QuietButton(this, theme, reload).icon(Icon.RESTART).text("Read again").hint("Read the configuration again");

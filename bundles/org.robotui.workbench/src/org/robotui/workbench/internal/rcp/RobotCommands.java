@@ -24,6 +24,7 @@ public final class RobotCommands extends AbstractHandler {
       case "keys" -> actions.shortcuts();
       case "new" -> actions.create();
       case "open" -> actions.open();
+      case "open.recording" -> new FileChoice(session, window).choose();
       case "reload" -> actions.reload();
       case "stop" -> actions.stop();
       case "release" -> actions.release();

@@ -38,7 +38,8 @@ public final class RobotPart extends ViewPart {
   }
 
   @Override
-  public void createPartControl(Composite parent) {
+  public void createPartControl(Composite whole) {
+    Composite parent = TimelineBelow.add(whole, session);
     model = session.model(getSite().getWorkbenchWindow());
     pane = new Rebuilt<>(parent, session, this::area, area -> {});
     List<Runnable> ends = List.of(

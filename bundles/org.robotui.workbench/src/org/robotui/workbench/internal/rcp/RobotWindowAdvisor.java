@@ -55,6 +55,7 @@ final class RobotWindowAdvisor extends WorkbenchWindowAdvisor {
     IWorkbenchWindow window = getWindowConfigurer().getWindow();
     Shell shell = window.getShell();
     name(shell);
+    new FileChoice(session, window).takeDrops();
     // What the platform makes late comes after this call, on a busy machine some seconds.
     Runnable tidy = () -> {
       if (!shell.isDisposed()) {

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Arrays;
+import java.util.function.Consumer;
 import org.eclipse.jface.dialogs.MessageDialog;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.widgets.Display;
@@ -15,6 +16,7 @@ import org.eclipse.ui.application.IWorkbenchWindowConfigurer;
 import org.eclipse.ui.application.WorkbenchAdvisor;
 import org.eclipse.ui.application.WorkbenchWindowAdvisor;
 import org.robotui.api.config.WriteFailure;
+import org.robotui.api.host.FileOutcome;
 import org.robotui.workbench.internal.Suspects;
 import org.robotui.workbench.internal.WorkbenchServices;
 import org.robotui.workbench.internal.WorkbenchSession;
@@ -29,15 +31,18 @@ public final class RobotWorkbenchAdvisor extends WorkbenchAdvisor {
 
   private final WorkbenchSession session;
   private final Runnable started;
+  private final Consumer<FileOutcome> opened;
   private final Suspects suspects;
   private final boolean asks;
 
   /**
-   * For a session; {@code started} runs when the window stands, with the robots that were asked for, and perhaps again.
+   * For a session; {@code started} runs when the window stands, with the robots that were asked for, and perhaps again;
+   * {@code opened} is told what came of the recordings that the command line names.
    */
-  public RobotWorkbenchAdvisor(WorkbenchSession session, Runnable started) {
+  public RobotWorkbenchAdvisor(WorkbenchSession session, Runnable started, Consumer<FileOutcome> opened) {
     this.session = session;
     this.started = started;
+    this.opened = opened;
     suspects = new Suspects(session.state().folder());
     asks = session.arguments().isAttended() && suspects.exist();
   }
@@ -85,6 +90,7 @@ public final class RobotWorkbenchAdvisor extends WorkbenchAdvisor {
 
   private void load() {
     session.arguments().configurations().forEach(session.configurations()::load);
+    session.arguments().files().forEach(file -> session.configurations().open(file, opened));
   }
 
   /** Views that are made for the first time take long, and nothing moves before they are there. */

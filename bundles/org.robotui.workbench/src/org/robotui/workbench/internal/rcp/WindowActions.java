@@ -171,6 +171,11 @@ final class WindowActions implements TopBar.Actions, Navigator.Actions, RobotAre
   }
 
   @Override
+  public Optional<String> closing(String ruic) {
+    return FileChoice.closing(session, ruic);
+  }
+
+  @Override
   public void connections(String ruic) {
     session.ruic(ruic).ifPresent(r -> new ConnectionsDialog(window.getShell(), session.look().theme(), r).open());
   }

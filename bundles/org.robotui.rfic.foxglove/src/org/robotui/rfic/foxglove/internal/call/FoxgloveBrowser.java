@@ -14,6 +14,7 @@ import org.robotui.data.record.RecordShape;
 import org.robotui.foxglove.FoxgloveClient;
 import org.robotui.foxglove.Service;
 import org.robotui.message.payload.PayloadFormat;
+import org.robotui.message.payload.ReceptionRule;
 import org.robotui.rfic.foxglove.internal.session.ChannelTable;
 import org.robotui.rfic.foxglove.internal.session.FoxgloveTopics;
 import org.robotui.rfic.foxglove.internal.session.ServerNews;
@@ -61,7 +62,7 @@ public final class FoxgloveBrowser implements Browser {
   private Map<String, String> topics() {
     Map<String, String> types = new TreeMap<>();
     news.ends().ifPresent(ends -> Stream.of(ends.publishers(), ends.subscribers())
-        .forEach(all -> all.keySet().forEach(topic -> types.put(ChannelTable.global(topic), ""))));
+        .forEach(all -> all.keySet().forEach(topic -> types.put(ReceptionRule.global(topic), ""))));
     ChannelTable table = topics.table();
     table.topics().forEach(topic -> types.put(topic, table.first(topic).orElseThrow().format().type()));
     return types;
@@ -121,7 +122,7 @@ public final class FoxgloveBrowser implements Browser {
   private static Set<String> at(Map<String, Set<String>> ends, String topic) {
     Set<String> all = new TreeSet<>();
     ends.forEach((name, ids) -> {
-      if (ChannelTable.global(name).equals(topic)) {
+      if (ReceptionRule.global(name).equals(topic)) {
         all.addAll(ids);
       }
     });
@@ -165,6 +166,6 @@ public final class FoxgloveBrowser implements Browser {
 
   private static Stream<Link> links(Map<String, Set<String>> ends, boolean sends) {
     return ends.entrySet().stream().flatMap(
-        topic -> topic.getValue().stream().map(node -> new Link(node, ChannelTable.global(topic.getKey()), sends)));
+        topic -> topic.getValue().stream().map(node -> new Link(node, ReceptionRule.global(topic.getKey()), sends)));
   }
 }

@@ -10,9 +10,10 @@ import org.robotui.api.port.ServiceRequest;
 import org.robotui.foxglove.FoxgloveClient;
 import org.robotui.foxglove.Service;
 import org.robotui.message.payload.PayloadFormat;
+import org.robotui.message.payload.PayloadFormats;
+import org.robotui.message.payload.PayloadSource;
 import org.robotui.message.topic.CallOutcomes;
-import org.robotui.rfic.foxglove.internal.payload.PayloadFormats;
-import org.robotui.rfic.foxglove.internal.payload.PayloadSource;
+import org.robotui.rfic.foxglove.internal.session.ServerSource;
 
 /** Calls services of a server, in the encoding that it says, or the first that it takes. */
 public final class FoxgloveServices implements CallHandler<ServiceRequest, ServiceReply> {
@@ -55,8 +56,8 @@ public final class FoxgloveServices implements CallHandler<ServiceRequest, Servi
   Forms forms(Service service) {
     List<String> taken = client.info().map(info -> info.encodings()).orElse(List.of());
     String encoding = taken.isEmpty() ? "json" : taken.getFirst();
-    PayloadSource request = PayloadSource.of(service.request(), encoding, service.type() + "_Request");
-    PayloadSource response = PayloadSource.of(service.response(), request.encoding(), service.type() + "_Response");
+    PayloadSource request = ServerSource.of(service.request(), encoding, service.type() + "_Request");
+    PayloadSource response = ServerSource.of(service.response(), request.encoding(), service.type() + "_Response");
     return new Forms(request, formats.of(request), formats.of(response));
   }
 

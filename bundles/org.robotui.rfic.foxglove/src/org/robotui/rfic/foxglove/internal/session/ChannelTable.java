@@ -10,10 +10,10 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.robotui.foxglove.ServerChannel;
-import org.robotui.message.payload.RosDefinitions;
 import org.robotui.message.payload.PayloadFormat;
-import org.robotui.rfic.foxglove.internal.payload.PayloadFormats;
-import org.robotui.rfic.foxglove.internal.payload.PayloadSource;
+import org.robotui.message.payload.PayloadFormats;
+import org.robotui.message.payload.ReceptionRule;
+import org.robotui.message.payload.RosDefinitions;
 
 /**
  * The channels of a server by topic, at one moment. Several may have the same topic: programs that publish it have one
@@ -43,20 +43,10 @@ public final class ChannelTable {
     Map<String, List<Offered>> now = new TreeMap<>();
     channels.stream().sorted(Comparator.comparingLong(ServerChannel::id)).forEach(channel -> {
       Offered offered = Optional.ofNullable(before.get(channel))
-          .orElseGet(() -> new Offered(channel, formats.of(PayloadSource.of(channel))));
-      now.computeIfAbsent(global(channel.topic()), topic -> new ArrayList<>()).add(offered);
+          .orElseGet(() -> new Offered(channel, formats.of(ServerSource.of(channel))));
+      now.computeIfAbsent(ReceptionRule.global(channel.topic()), topic -> new ArrayList<>()).add(offered);
     });
     return new ChannelTable(now);
-  }
-
-  /**
-   * The name of a topic as robot interfaces have it.
-   *
-   * @param topic the server's name
-   * @return begins with a slash
-   */
-  public static String global(String topic) {
-    return topic.startsWith("/") ? topic : "/" + topic;
   }
 
   /**

@@ -21,6 +21,7 @@ import org.robotui.api.session.SessionScope;
 import org.robotui.data.status.LogEntry;
 import org.robotui.foxglove.FoxgloveClient;
 import org.robotui.foxglove.ServerInfo;
+import org.robotui.message.payload.PayloadFormats;
 import org.robotui.message.payload.RosDefinitions;
 import org.robotui.message.topic.DescriptionTopics;
 import org.robotui.message.topic.RobotTopics;
@@ -30,7 +31,6 @@ import org.robotui.rfic.foxglove.internal.FoxgloveSettings;
 import org.robotui.rfic.foxglove.internal.call.FoxgloveBrowser;
 import org.robotui.rfic.foxglove.internal.call.FoxgloveServices;
 import org.robotui.rfic.foxglove.internal.call.ServerParameters;
-import org.robotui.rfic.foxglove.internal.payload.PayloadFormats;
 import org.robotui.web.LinkTurns;
 
 /** One connection to a server, and all that is offered through it. */

@@ -19,8 +19,9 @@ import org.robotui.message.topic.TopicClient;
 import org.robotui.message.topic.TopicListener;
 import org.robotui.message.topic.TopicPublisher;
 import org.robotui.message.topic.TopicSubscription;
+import org.robotui.message.payload.PayloadFormats;
 import org.robotui.message.payload.CommandFormat;
-import org.robotui.rfic.foxglove.internal.payload.PayloadFormats;
+import org.robotui.message.payload.ReceptionRule;
 
 /** The topics behind a server. Channels are followed by {@link #tick}, which one thread calls. */
 public final class FoxgloveTopics implements TopicClient {
@@ -67,8 +68,8 @@ public final class FoxgloveTopics implements TopicClient {
   @Override
   public <M> TopicSubscription subscribe(String topic, String type, MessageForm<M> form, TopicListener<M> listener) {
     ReceptionRule<M> rule = new ReceptionRule<>(topic, type, form);
-    TopicReception<M> reception = new TopicReception<>(client, new TopicReception.Wanted<>(topic, rule::channels,
-        rule::reading, rule.mostWaiting(), server, listener), receptions::remove);
+    TopicReception<M> reception = new TopicReception<>(client, new TopicReception.Wanted<>(rule, server, listener),
+        receptions::remove);
     receptions.add(reception);
     reception.follow(table);
     return reception;
@@ -108,7 +109,7 @@ public final class FoxgloveTopics implements TopicClient {
   private String original(String topic) {
     return table.first(topic).map(each -> each.channel().topic()).or(() -> news.ends()
         .flatMap(ends -> ends.subscribers().keySet().stream()
-            .filter(each -> ChannelTable.global(each).equals(topic)).findFirst()))
+            .filter(each -> ReceptionRule.global(each).equals(topic)).findFirst()))
         .orElse(topic);
   }
 

@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
+import org.robotui.message.payload.ReceptionRule;
 import org.robotui.message.topic.TopicGraph;
 import org.robotui.message.topic.TopicSettings;
 
@@ -44,7 +45,7 @@ final class ServerGraph {
     ends.forEach((topic, ids) -> {
       List<String> rest = ids.stream().filter(id -> !itself.contains(id)).toList();
       if (!rest.isEmpty()) {
-        others.put(ChannelTable.global(topic), rest.stream().collect(Collectors.toSet()));
+        others.put(ReceptionRule.global(topic), rest.stream().collect(Collectors.toSet()));
       }
     });
     return others;

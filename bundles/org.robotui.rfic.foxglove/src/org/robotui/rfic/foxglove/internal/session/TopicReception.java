@@ -7,12 +7,12 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
-import java.util.function.Function;
 import org.robotui.data.array.Bytes;
 import org.robotui.data.record.DynamicRecord;
 import org.robotui.foxglove.FoxgloveClient;
 import org.robotui.foxglove.ServerChannel;
 import org.robotui.message.payload.PayloadFormat;
+import org.robotui.message.payload.ReceptionRule;
 import org.robotui.message.topic.Arrival;
 import org.robotui.message.topic.TopicListener;
 import org.robotui.message.topic.TopicSubscription;
@@ -35,16 +35,12 @@ final class TopicReception<M> implements TopicSubscription {
   /**
    * What is received.
    *
-   * @param topic its name
-   * @param choice the channels that carry it
-   * @param reading reads what one of them brings; throws IllegalArgumentException where nothing does
-   * @param most how many messages wait of each
+   * @param rule which channels carry it, and how they are read
    * @param sender who is said to have published what comes
    * @param listener is told
    * @param <M> the Java value of a message
    */
-  record Wanted<M>(String topic, Function<ChannelTable, List<Offered>> choice,
-      Function<Offered, PayloadFormat.Reading<M>> reading, int most, String sender, TopicListener<M> listener) {}
+  record Wanted<M>(ReceptionRule<M> rule, String sender, TopicListener<M> listener) {}
 
   TopicReception(FoxgloveClient client, Wanted<M> wanted, Consumer<TopicReception<M>> end) {
     this.client = client;
@@ -53,12 +49,12 @@ final class TopicReception<M> implements TopicSubscription {
   }
 
   String topic() {
-    return wanted.topic();
+    return wanted.rule().topic();
   }
 
   /** Receives from those channels that there are now. */
   synchronized void follow(ChannelTable table) {
-    List<Offered> now = wanted.choice().apply(table);
+    List<Offered> now = channels(table);
     List<ServerChannel> present = now.stream().map(Offered::channel).toList();
     List.copyOf(channels.keySet()).stream().filter(each -> !present.contains(each))
         .forEach(each -> leave(channels.remove(each)));
@@ -69,14 +65,19 @@ final class TopicReception<M> implements TopicSubscription {
           channels.put(each.channel(), subscribe(each));
         }
       } catch (IllegalArgumentException e) {
-        failure = wanted.topic() + ": " + e.getMessage();
+        failure = wanted.rule().topic() + ": " + e.getMessage();
       }
     }
   }
 
+  private List<Offered> channels(ChannelTable table) {
+    return table.all()
+        .filter(each -> wanted.rule().takes(ReceptionRule.global(each.channel().topic()), each.format())).toList();
+  }
+
   private ArrivalSubscription subscribe(Offered offered) {
-    PayloadFormat.Reading<M> reading = wanted.reading().apply(offered);
-    return client.subscribe(offered.channel(), wanted.most(),
+    PayloadFormat.Reading<M> reading = wanted.rule().reading(offered.format());
+    return client.subscribe(offered.channel(), wanted.rule().mostWaiting(),
         (payload, nanos, receivedNanos) -> received(offered, reading, payload, receivedNanos));
   }
 
@@ -115,8 +116,8 @@ final class TopicReception<M> implements TopicSubscription {
   @Override
   public synchronized Lost lost() {
     channels.values().forEach(each -> dropped += each.dropped());
-    return wanted.most() == 1 || dropped == 0 ? Lost.NONE
-        : new Lost(dropped, wanted.topic() + ": more came than could be taken");
+    return wanted.rule().mostWaiting() == 1 || dropped == 0 ? Lost.NONE
+        : new Lost(dropped, wanted.rule().topic() + ": more came than could be taken");
   }
 
   private void leave(ArrivalSubscription channel) {

@@ -1,21 +1,16 @@
-package org.robotui.rfic.foxglove.internal.payload;
+package org.robotui.message.payload;
 
 import org.robotui.message.DefinitionException;
 import org.robotui.message.Encoding;
 import org.robotui.message.Generation;
 import org.robotui.message.MessageSchema;
 import org.robotui.message.SchemaLookup;
-import org.robotui.message.payload.JsonFormat;
-import org.robotui.message.payload.PayloadFormat;
-import org.robotui.message.payload.RosDefinitions;
-import org.robotui.message.payload.RosFormat;
-import org.robotui.message.payload.UnknownFormat;
 import org.robotui.message.payload.protobuf.DescriptorSet;
 import org.robotui.message.payload.protobuf.ProtobufFormat;
 
 /**
- * Finds out how messages are read, by what a server says of them. Where it sends no definition of a type of ROS, the
- * one that is known here is taken; files may be read for that. Safe for all threads.
+ * Finds out how messages are read, by what a server or a recording says of them. Where it has no definition of a type
+ * of ROS, the one that is known here is taken; files may be read for that. Safe for all threads.
  */
 public final class PayloadFormats {
   private static final String IDL = "ros2idl";
@@ -44,7 +39,7 @@ public final class PayloadFormats {
   /**
    * How messages are read and written.
    *
-   * @param source what a server says of them
+   * @param source what is said of them
    * @return the format; one that says why where they cannot be read
    */
   public PayloadFormat of(PayloadSource source) {

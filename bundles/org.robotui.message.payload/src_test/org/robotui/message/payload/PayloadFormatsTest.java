@@ -1,4 +1,4 @@
-package org.robotui.rfic.foxglove.internal.payload;
+package org.robotui.message.payload;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
@@ -16,9 +16,6 @@ import org.robotui.data.record.FieldShape;
 import org.robotui.data.record.FieldValue;
 import org.robotui.message.Generation;
 import org.robotui.message.data.MessageForm;
-import org.robotui.message.payload.CommandFormat;
-import org.robotui.message.payload.PayloadFormat;
-import org.robotui.message.payload.RosDefinitions;
 import org.robotui.message.ros.geometry_msgs.Twist;
 import org.robotui.message.ros.geometry_msgs.Vector3;
 import org.robotui.message.ros.sensor_msgs.LaserScan;

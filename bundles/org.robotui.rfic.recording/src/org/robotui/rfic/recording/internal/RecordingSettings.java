@@ -1,0 +1,94 @@
+package org.robotui.rfic.recording.internal;
+
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.robotui.api.config.Placed;
+import org.robotui.api.config.Schema;
+import org.robotui.api.config.Setting;
+import org.robotui.api.config.SettingFault;
+import org.robotui.api.config.Settings;
+import org.robotui.api.config.ValueType;
+import org.robotui.message.topic.TopicSettings;
+import org.robotui.recording.RecordingException;
+import org.robotui.recording.Recordings;
+import org.robotui.rfic.recording.internal.time.PlaySettings;
+
+/**
+ * Which recording is played, and how.
+ *
+ * @param file the recording
+ * @param topics which topics become ports
+ * @param playing how it comes to the timeline
+ */
+public record RecordingSettings(Path file, TopicSettings topics, PlaySettings playing) {
+  static final String FILE = "file";
+  private static final String OFFSET = "offset";
+  private static final String PLAY = "play";
+  private static final String LOOP = "loop";
+  private static final double FARTHEST_SECONDS = 4e9;
+  private static final double NANOS = 1e9;
+  private static final int LONGEST = 1000;
+
+  static final Schema SCHEMA = schema();
+
+  private static Schema schema() {
+    List<Setting> all = new ArrayList<>();
+    all.add(Setting.required(FILE, new ValueType.WithPlace(new ValueType.Text()),
+        "the recording, MCAP or a bag of ROS 1, relative to this file"));
+    all.addAll(TopicSettings.listening(RecordingSettings::checkName));
+    all.add(Setting.of(OFFSET, new ValueType.Num(-FARTHEST_SECONDS, FARTHEST_SECONDS, "s"), 0.0,
+        "what is added to its times, where it is shown beside recordings of other clocks"));
+    all.add(Setting.of(PLAY, new ValueType.Flag(), true, "whether it plays as soon as it is open"));
+    all.add(Setting.of(LOOP, new ValueType.Flag(), false, "whether it begins again at its end"));
+    return new Schema(all);
+  }
+
+  static RecordingSettings of(Settings settings) {
+    Placed written = settings.placed(FILE);
+    return new RecordingSettings(written.resolve(written.value().toString()), TopicSettings.ofListening(settings),
+        new PlaySettings(Math.round(settings.number(OFFSET) * NANOS), settings.flag(PLAY), settings.flag(LOOP)));
+  }
+
+  /** What is wrong with the file. Its beginning is read. */
+  static List<SettingFault> faults(Settings settings) {
+    Placed written = settings.placed(FILE);
+    return fault(written).map(reason -> List.of(written.fault("'" + FILE + "': " + written.value() + " " + reason)))
+        .orElse(List.of());
+  }
+
+  private static Optional<String> fault(Placed written) {
+    Path file;
+    try {
+      file = written.resolve(written.value().toString());
+    } catch (InvalidPathException e) {
+      return Optional.of("is no name of a file: " + e.getReason());
+    }
+    if (Files.isDirectory(file)) {
+      return Optional.of("is a folder; name a file in it, MCAP or a bag of ROS 1");
+    }
+    if (!Files.exists(file)) {
+      return Optional.of("is not there; write where the recording is, relative to this file");
+    }
+    if (!Files.isRegularFile(file) || !Files.isReadable(file)) {
+      return Optional.of(
+          Files.isRegularFile(file) ? "may not be read: permission denied" : "is a device or a pipe; name a file");
+    }
+    try {
+      return Recordings.isOne(file) ? Optional.empty()
+          : Optional.of("is no recording that is known here; MCAP and bags of ROS 1 (version 2.0) are");
+    } catch (RecordingException e) {
+      return Optional.of("cannot be read: " + e.getMessage());
+    }
+  }
+
+  /** What is no recording of ROS names its topics as it likes. */
+  private static void checkName(String name) {
+    if (name.isBlank() || name.length() > LONGEST || name.chars().anyMatch(Character::isISOControl)) {
+      throw new IllegalArgumentException("a name has from 1 to " + LONGEST + " characters, none of them for control");
+    }
+  }
+}

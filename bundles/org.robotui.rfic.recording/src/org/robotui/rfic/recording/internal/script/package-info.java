@@ -1,0 +1,2 @@
+/** What scripts can do with the timeline. */
+package org.robotui.rfic.recording.internal.script;

@@ -1,0 +1,56 @@
+package org.robotui.rfic.recording.internal;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Collectors;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.robotui.api.config.Placed;
+import org.robotui.api.config.Setting;
+import org.robotui.api.config.SettingFault;
+import org.robotui.rfic.recording.internal.time.SharedTimeline;
+import org.robotui.testkit.FakeSettings;
+
+class RecordingRficTypeTest {
+  private final RecordingRficType type = new RecordingRficType(new SharedTimeline());
+  @TempDir
+  private Path folder;
+
+  private List<String> faults(String file) {
+    FakeSettings settings = new FakeSettings(type.schema());
+    settings.set("file", new Placed(file, folder.resolve("robot.yaml").toString(), 5, 13));
+    return type.faults(settings.current()).stream().map(SettingFault::toString).toList();
+  }
+
+  @Test
+  void aFileThatCannotBePlayedIsNamedWithItsPlace() throws IOException {
+    Files.writeString(folder.resolve("notes.txt"), "no recording");
+    Files.write(folder.resolve("short.bag"), new byte[3]);
+    String place = folder.resolve("robot.yaml") + ":5:13: 'file': ";
+    assertEquals(
+        List.of(place + "run.mcap is not there; write where the recording is, relative to this file"),
+        faults("run.mcap"));
+    assertEquals(List.of(place + ". is a folder; name a file in it, MCAP or a bag of ROS 1"), faults("."));
+    for (String other : List.of("notes.txt", "short.bag")) {
+      assertEquals(List.of(
+          place + other + " is no recording that is known here; MCAP and bags of ROS 1 (version 2.0) are"),
+          faults(other));
+    }
+    assertTrue(faults("a\0b").getFirst().contains("is no name of a file"));
+    try (SmallRecording recording = new SmallRecording(folder.resolve("run.mcap"))) {
+      recording.odometry("/odom", 0, 1);
+    }
+    assertEquals(List.of(), faults("run.mcap"));
+  }
+
+  @Test
+  void nothingThatCommandsCanBeSet() {
+    assertEquals("file, namespace, topics, tf, offset, play, loop",
+        type.schema().settings().stream().map(Setting::name).collect(Collectors.joining(", ")));
+  }
+}
