@@ -61,8 +61,8 @@ public interface PortAccess extends AutoCloseable {
    * The messages of a stream that hold until they are replaced, for who records it from now on.
    *
    * @param stream which
-   * @return the messages, perhaps none; nothing at all where the robot interface does not say which they are: the
-   * newest value is the one that holds then, where any does
+   * @return those that its robot interface knows beside the newest one, perhaps none; nothing at all where the values
+   * of the stream are no messages of the robot
    */
   default Optional<List<RawMessage>> held(SourceId stream) {
     return Optional.empty();

@@ -102,9 +102,9 @@ public final class StreamSource<T extends Data> implements Publication<T>, Offer
     held = Optional.of(messages);
   }
 
-  /** The messages that hold now; nothing where its robot interface does not say. */
+  /** The messages that hold now beside the newest one; nothing where it does not consist of messages. */
   public Optional<List<RawMessage>> held() {
-    return held.map(Supplier::get);
+    return held.map(Supplier::get).or(() -> fan.hasMessages() ? Optional.of(List.of()) : Optional.empty());
   }
 
   @Override

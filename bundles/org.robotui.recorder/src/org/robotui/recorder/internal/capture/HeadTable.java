@@ -28,7 +28,12 @@ final class HeadTable {
    */
   record Place(String ui, String robot, String framework, SourceId port) {}
 
-  private record Key(Place place, String topic, String schema, String encoding) {}
+  /** Several ports may give what comes by one topic: the first one gives it its name. */
+  private record Key(String ui, String component, String topic, String schema, String encoding) {
+    Key(Place place, String topic, String schema, String encoding) {
+      this(place.ui(), place.port().component(), topic, schema, encoding);
+    }
+  }
 
   private record Known(StreamHead head, boolean complete, long lookedNanos) {}
 
