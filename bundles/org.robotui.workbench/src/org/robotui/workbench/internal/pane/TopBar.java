@@ -98,6 +98,7 @@ public final class TopBar extends Composite {
     lease = place(new LeaseLamp(this, theme, actions::lease), LEASE_WIDTH);
     stop = place(new QuietButton(this, theme, actions::stop), STOP_WIDTH).text("STOP  (F12)").fill(Role.BAD)
         .hint("Stop all robots and keep them stopped until released (F12, or space in a view)");
+    of(lease).horizontalIndent = Theme.STEP;
     of(stop).horizontalIndent = 2 * Theme.STEP;
     addListener(SWT.Resize, e -> fit());
     // Line at the lower edge.

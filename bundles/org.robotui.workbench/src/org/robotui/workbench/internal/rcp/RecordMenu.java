@@ -48,8 +48,9 @@ final class RecordMenu {
     }
     menu.line();
     boolean kept = state.recent().isPresent();
-    menu.check("Keep the Last 30 s", kept, on -> tell(() -> keep(on)));
-    menu.push("Save the Last 30 s", kept, () -> tell(() -> inFolder(() -> recorder.saveRecent(folder()))));
+    String recent = "the Last " + state.recent().map(RecorderState.Recent::limit).orElse(RECENT).toSeconds() + " s";
+    menu.check("Keep " + recent, kept, on -> tell(() -> keep(on)));
+    menu.push("Save " + recent, kept, () -> tell(() -> inFolder(() -> recorder.saveRecent(folder()))));
     menu.line();
     menu.push("Folder: " + folder() + "...", () -> choose(control));
     menu.openBelow(control);
