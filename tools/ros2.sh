@@ -4,7 +4,7 @@ readonly ROS2_PEERS=$KEEP/ros2-peers
 readonly RCLPY_PACKAGES=(ros-rclpy ros-std-msgs ros-rmw-fastrtps-cpp ros-sensor-msgs ros-nav-msgs ros-geometry-msgs ros-std-srvs)
 readonly CYCLONE_PACKAGES=(cyclonedds==11.0.1)
 readonly FOXGLOVE_PACKAGES=(foxglove-sdk==0.30.3 foxglove-websocket==0.1.4)
-readonly RECORDING_PACKAGES=(mcap==1.6.0 rosbags==0.11.9)
+readonly RECORDING_PACKAGES=(mcap==1.6.0 mcap-ros1-support==0.9.0 mcap-ros2-support==0.6.0 rosbags==0.11.9)
 
 # Prints the Python of a peer, rclpy, cyclone, foxglove or recordings; nothing where it was not made.
 ros2_peer() { [[ -e $ROS2_PEERS/$1/ready ]] && printf '%s' "$ROS2_PEERS/$1/bin/python"; }
@@ -23,14 +23,14 @@ make_ros2_peers() {
 make_ros2_peer() {
   local name=$1 home=$ROS2_PEERS/$1 python
   shift
-  ros2_peer "$name" >/dev/null && return
+  ros2_peer "$name" >/dev/null && [[ $(<"$home/ready") == "$*" ]] && return
   python=$(ros2_python) || return 1
   say "Making the peer $name (once)"
   rm -rf "$home"
   mkdir -p "$ROS2_PEERS"
   "$python" -m venv "$home" >&2 \
     && timeout 300 "$home/bin/python" -m pip install -q --disable-pip-version-check --timeout 15 --retries 2 --only-binary=:all: "$@" >&2 \
-    && touch "$home/ready"
+    && printf '%s' "$*" >"$home/ready"
 }
 
 # There are packages for these versions alone.

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Executor;
 import org.robotui.api.UicType.Surface;
@@ -136,6 +137,13 @@ public interface Host {
    * @throws IOException where it cannot be written
    */
   List<String> support(Path file) throws IOException;
+
+  /**
+   * The configurations that run, for what is given away with them. Reads the files, so not on the display thread.
+   *
+   * @return their texts by their files, with what is secret masked; those that cannot be read are left out
+   */
+  Map<Path, String> configurationTexts();
 
   /**
    * Stops all robots, latched.

@@ -1,6 +1,7 @@
 package org.robotui.api.host;
 
 import java.time.Duration;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.robotui.api.command.CommandOutcome;
@@ -12,6 +13,7 @@ import org.robotui.api.port.Envelope;
 import org.robotui.api.port.InputState;
 import org.robotui.api.port.Port;
 import org.robotui.api.port.PortKind;
+import org.robotui.api.port.RawMessage;
 import org.robotui.api.port.SourceId;
 import org.robotui.data.Data;
 
@@ -54,6 +56,17 @@ public interface PortAccess extends AutoCloseable {
    * @return how many were taken
    */
   int take(SourceId stream, Consumer<? super Envelope<?>> consumer);
+
+  /**
+   * The messages of a stream that hold until they are replaced, for who records it from now on.
+   *
+   * @param stream which
+   * @return those that its robot interface knows beside the newest one, perhaps none; nothing at all where the values
+   * of the stream are no messages of the robot
+   */
+  default Optional<List<RawMessage>> held(SourceId stream) {
+    return Optional.empty();
+  }
 
   /**
    * What a stream has, and if nothing: why.

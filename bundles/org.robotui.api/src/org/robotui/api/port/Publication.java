@@ -1,6 +1,8 @@
 package org.robotui.api.port;
 
+import java.util.List;
 import java.util.Optional;
+import java.util.function.Supplier;
 import org.robotui.data.Data;
 import org.robotui.data.Stamp;
 
@@ -60,6 +62,14 @@ public interface Publication<T extends Data> extends Offer {
    * @param promise a sentence for users; empty where nothing is said
    */
   default void delivery(String promise) {}
+
+  /**
+   * Says that the values of this stream are messages of the robot, of which some hold until they are replaced, so that
+   * whoever records is given them first. Called once, before anything is published.
+   *
+   * @param messages gives those that hold now, on any thread
+   */
+  default void held(Supplier<List<RawMessage>> messages) {}
 
   /**
    * Says that the source as such does not work although the link may; cleared by the next value, or by an empty reason.

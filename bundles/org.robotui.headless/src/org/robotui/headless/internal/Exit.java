@@ -13,7 +13,9 @@ enum Exit {
   /** The core did not start. */
   NO_CORE(4),
   /** A script failed, or was stopped. */
-  SCRIPT(5);
+  SCRIPT(5),
+  /** A recording could not be begun, or ended by itself. */
+  RECORDING(6);
 
   private final int code;
 

@@ -14,6 +14,7 @@ import org.eclipse.equinox.app.IApplication;
 import org.eclipse.equinox.app.IApplicationContext;
 import org.osgi.framework.FrameworkUtil;
 import org.robotui.api.host.Host;
+import org.robotui.api.record.Recorder;
 import org.robotui.api.script.Scripts;
 import org.robotui.install.FeatureInstaller;
 
@@ -35,6 +36,7 @@ public final class HeadlessApplication implements IApplication {
     } catch (Arguments.Wrong e) {
       err.println(e.getMessage());
       err.print(Arguments.USAGE);
+      err.print(RecordArguments.USAGE);
       err.print(NewArguments.USAGE);
       err.print(FeatureArguments.USAGE);
       return Exit.USAGE.code();
@@ -54,9 +56,20 @@ public final class HeadlessApplication implements IApplication {
     if (words.contains("-new")) {
       return compose(NewArguments.parse(words));
     }
+    if (words.contains(RecordArguments.OPTION)) {
+      return record(RecordArguments.parse(words));
+    }
     return !words.isEmpty() && words.getFirst().equals(FeatureArguments.OPTION)
         ? change(FeatureArguments.parse(words))
         : run(Arguments.parse(words.toArray(String[]::new)));
+  }
+
+  private int record(RecordArguments wanted) throws InterruptedException {
+    return with(Host.class, "the core", host -> {
+      endInOrder(host);
+      return with(Recorder.class, "the recorder", recorder -> new ShowRun(host, out, err, stop, Optional.empty())
+          .show(wanted.rest(), Optional.of(() -> new RecordRun(recorder, out, err, stop).run(wanted).code())));
+    });
   }
 
   private int change(FeatureArguments wanted) throws InterruptedException {
@@ -94,8 +107,7 @@ public final class HeadlessApplication implements IApplication {
     if (arguments.check().isPresent()) {
       return new CheckRun(host, out, err).check(arguments.check().get(), arguments.live(), arguments.reuse()).code();
     }
-    Thread hook = new Thread(() -> stopAndWait(host), "robotui-stop");
-    Runtime.getRuntime().addShutdownHook(hook);
+    endInOrder(host);
     return arguments.usesScripts()
         ? with(Scripts.class, "what runs scripts", scripts -> show(host, arguments, Optional.of(scripts)))
         : show(host, arguments, Optional.empty());
@@ -103,6 +115,10 @@ public final class HeadlessApplication implements IApplication {
 
   private int show(Host host, Arguments arguments, Optional<Scripts> scripts) throws InterruptedException {
     return new ShowRun(host, out, err, stop, scripts).show(arguments);
+  }
+
+  private void endInOrder(Host host) {
+    Runtime.getRuntime().addShutdownHook(new Thread(() -> stopAndWait(host), "robotui-stop"));
   }
 
   /** Ctrl-C and SIGTERM come here: the process lives until what we drive is stopped. */

@@ -43,21 +43,34 @@ final class ShowRun {
     this.stop = stop;
   }
 
+  /** What is done in place of showing robots; answers the exit code. */
+  @FunctionalInterface
+  interface Occupation {
+    /** Ends when it is done, or when it is stopped. */
+    int run() throws InterruptedException;
+  }
+
   /** Answers the exit code. */
   int show(Arguments arguments) throws InterruptedException {
+    return show(arguments, Optional.empty());
+  }
+
+  /** The same, where something else is done than showing them. */
+  int show(Arguments arguments, Optional<Occupation> instead) throws InterruptedException {
     host.open(Surface.TEXT, USER);
     try (Selector ignored = new Selector(host, arguments.shown())) {
       Exit configured = load(arguments.configurations());
       Exit opened = open(arguments.files());
       Exit loaded = configured == Exit.FINE ? opened : configured;
       sayWhatIsLeftOut(arguments.shown());
-      return loaded == Exit.FINE || !host.ruics().isEmpty() ? withDoor(arguments, loaded) : loaded.code();
+      return loaded == Exit.FINE || !host.ruics().isEmpty() ? withDoor(arguments, loaded, instead)
+          : loaded.code();
     } finally {
       host.close(CLOSE_LIMIT).forEach(left -> LOG.warn("not ended in time: {}", left));
     }
   }
 
-  private int withDoor(Arguments arguments, Exit loaded) throws InterruptedException {
+  private int withDoor(Arguments arguments, Exit loaded, Optional<Occupation> instead) throws InterruptedException {
     Optional<Scripts.Door> door =
         scripts.filter(s -> arguments.scriptSocket()).flatMap(s -> s.listen(
             UserFolder.sockets(UserFolder.state(System.getProperties(), System.getenv()))));
@@ -65,6 +78,9 @@ final class ShowRun {
     try {
       if (arguments.script().isPresent() && scripts.isPresent()) {
         return new FileScript(scripts.get(), out, err, stop).run(arguments.script().get(), arguments.limit());
+      }
+      if (instead.isPresent()) {
+        return instead.get().run();
       }
       watch(arguments);
       return loaded.code();

@@ -2,13 +2,16 @@ package org.robotui.message.topic;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Predicate;
+import org.robotui.api.port.RawMessage;
 import org.robotui.message.ros.geometry_msgs.TransformStamped;
 import org.robotui.message.ros.tf2_msgs.TFMessage;
+import org.robotui.message.topic.internal.HeldTransforms;
 import org.robotui.message.topic.internal.TransformFeed;
 
 /**
@@ -24,6 +27,7 @@ public final class SharedTransforms {
   private final List<TransformFeed> feeds = new CopyOnWriteArrayList<>();
   private final Set<String> namespaces = ConcurrentHashMap.newKeySet();
   private final Map<String, Fixed> fixed = new ConcurrentHashMap<>();
+  private final HeldTransforms held = new HeldTransforms();
   private final AtomicReference<TransformFeed> listener = new AtomicReference<>();
 
   /**
@@ -53,7 +57,8 @@ public final class SharedTransforms {
   public void add(TransformFeed feed) {
     feeds.add(feed);
     namespaces.add(feed.namespace());
-    fixed.values().forEach(f -> feed.received(new TFMessage(List.of(f.transform())), f.sender(), true));
+    fixed.values().forEach(f -> feed.received(new TFMessage(List.of(f.transform())), f.sender(), true,
+        Optional.empty()));
   }
 
   /**
@@ -65,6 +70,7 @@ public final class SharedTransforms {
     feeds.remove(feed);
     if (listener.compareAndSet(feed, null)) {
       fixed.clear(); // who listens next is told it again
+      held.clear();
     }
   }
 
@@ -76,11 +82,34 @@ public final class SharedTransforms {
    * @param forGood whether they hold for good
    */
   public void heard(TFMessage message, String sender, boolean forGood) {
+    heard(message, sender, forGood, Optional.empty());
+  }
+
+  /**
+   * What the one that listens hears.
+   *
+   * @param message the transforms
+   * @param sender who said them
+   * @param forGood whether they hold for good
+   * @param raw the message as it came; none where it did not come as one
+   */
+  public void heard(TFMessage message, String sender, boolean forGood, Optional<RawMessage> raw) {
     if (forGood) {
+      raw.ifPresent(came -> held.note(message, came));
       message.transforms().stream().filter(t -> fixed.size() < MOST_FIXED || fixed.containsKey(t.childFrameId()))
           .forEach(t -> fixed.put(t.childFrameId(), new Fixed(t, sender)));
     }
-    feeds.forEach(feed -> feed.received(message, sender, forGood));
+    feeds.forEach(feed -> feed.received(message, sender, forGood, raw));
+  }
+
+  /**
+   * The messages that hold for good, as they came.
+   *
+   * @param concerned whether a child frame is of interest
+   * @return the newest message of each sender in which one is
+   */
+  public List<RawMessage> held(Predicate<String> concerned) {
+    return held.messages(concerned);
   }
 
   /**

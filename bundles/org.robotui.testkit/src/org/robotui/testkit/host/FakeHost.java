@@ -42,6 +42,7 @@ public final class FakeHost implements Host {
   private final List<Told> listeners = new CopyOnWriteArrayList<>();
   private final List<String> calls = new CopyOnWriteArrayList<>();
   private final AtomicInteger heartbeats = new AtomicInteger();
+  private volatile Map<Path, String> texts = Map.of();
   private volatile List<Problem> problems = List.of();
   private volatile ReuseReport reuse = ReuseReport.EMPTY;
   private volatile List<Installed> installed = List.of();
@@ -98,6 +99,22 @@ public final class FakeHost implements Host {
   public FakeHost finding(Problem... values) {
     problems = List.of(values);
     return this;
+  }
+
+  /**
+   * Sets what the configurations are.
+   *
+   * @param values their texts, masked
+   * @return this
+   */
+  public FakeHost configured(Map<Path, String> values) {
+    texts = Map.copyOf(values);
+    return this;
+  }
+
+  @Override
+  public Map<Path, String> configurationTexts() {
+    return texts;
   }
 
   /**

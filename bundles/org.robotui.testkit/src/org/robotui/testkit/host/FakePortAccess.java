@@ -24,8 +24,10 @@ import org.robotui.api.port.Envelope;
 import org.robotui.api.port.InputState;
 import org.robotui.api.port.Port;
 import org.robotui.api.port.PortKind;
+import org.robotui.api.port.RawMessage;
 import org.robotui.api.port.SourceId;
 import org.robotui.data.Data;
+import org.robotui.data.Stamp;
 
 /**
  * Ports that a test fills, and that note down what is sent. Commands need the lease and are refused while the stop is
@@ -38,6 +40,8 @@ public final class FakePortAccess implements PortAccess {
   private final Map<Key, Port> ports = new HashMap<>();
   private final Map<SourceId, Envelope<?>> newest = new HashMap<>();
   private final Map<SourceId, Queue<Envelope<?>>> queues = new HashMap<>();
+  private final Map<SourceId, Long> skipped = new HashMap<>();
+  private final Map<SourceId, List<RawMessage>> held = new HashMap<>();
   private final Map<SourceId, Browser> browsers = new HashMap<>();
   private final List<String> sent = new CopyOnWriteArrayList<>();
   private Function<Object, CallOutcome<Object>> answers = request -> new CallOutcome.Failed<>("no test answers");
@@ -73,11 +77,49 @@ public final class FakePortAccess implements PortAccess {
    * @param value what
    */
   public synchronized void put(SourceId stream, Data value) {
-    long sequence = Optional.<Envelope<?>>ofNullable(newest.get(stream)).map(e -> e.sequence() + 1).orElse(0L);
-    Envelope<?> envelope =
-        new Envelope<>(value, stream, sequence, Optional.empty(), System.nanoTime(), Optional.empty());
+    put(stream, value, Optional.empty(), Optional.empty());
+  }
+
+  /**
+   * A robot sends a message.
+   *
+   * @param stream which port
+   * @param value what
+   * @param stamp when it was measured
+   * @param raw the message as it came
+   */
+  public synchronized void put(SourceId stream, Data value, Optional<Stamp> stamp, Optional<RawMessage> raw) {
+    long sequence = Optional.<Envelope<?>>ofNullable(newest.get(stream)).map(e -> e.sequence() + 1).orElse(0L)
+        + skipped.getOrDefault(stream, 0L);
+    skipped.remove(stream);
+    Envelope<?> envelope = new Envelope<>(value, stream, sequence, stamp, System.nanoTime(), raw);
     newest.put(stream, envelope);
     queues.computeIfAbsent(stream, s -> new ArrayDeque<>()).add(envelope);
+  }
+
+  /**
+   * Values are lost before the next one.
+   *
+   * @param stream which port
+   * @param count how many
+   */
+  public synchronized void drop(SourceId stream, long count) {
+    skipped.merge(stream, count, Long::sum);
+  }
+
+  /**
+   * Sets the messages of a stream that hold.
+   *
+   * @param stream which port
+   * @param messages the messages
+   */
+  public synchronized void hold(SourceId stream, List<RawMessage> messages) {
+    held.put(stream, List.copyOf(messages));
+  }
+
+  @Override
+  public synchronized Optional<List<RawMessage>> held(SourceId stream) {
+    return Optional.ofNullable(held.get(stream));
   }
 
   /**

@@ -14,6 +14,7 @@ import org.osgi.framework.ServiceReference;
 import org.osgi.framework.startlevel.FrameworkStartLevel;
 import org.osgi.util.tracker.ServiceTracker;
 import org.robotui.api.host.Host;
+import org.robotui.api.record.Recorder;
 import org.robotui.api.replay.Timeline;
 import org.robotui.api.script.Scripts;
 import org.robotui.install.FeatureInstaller;
@@ -71,6 +72,11 @@ public final class WorkbenchServices {
   /** Has somebody told what bundles come and go by themselves; running the result ends that. */
   static Runnable listen(InstallListener listener) {
     return context().registerService(InstallListener.class, listener, null)::unregister;
+  }
+
+  /** What records robots; not there where it is not installed. */
+  public static Optional<Recorder> recorder() {
+    return service(Recorder.class);
   }
 
   /** What runs scripts. */

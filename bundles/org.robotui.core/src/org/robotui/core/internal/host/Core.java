@@ -43,6 +43,7 @@ import org.robotui.core.internal.config.model.CheckedValue;
 import org.robotui.core.internal.config.model.ConfigResult;
 import org.robotui.core.internal.config.model.RuicConfig;
 import org.robotui.core.internal.facts.ProcessFacts;
+import org.robotui.core.internal.facts.MaskedFiles;
 import org.robotui.core.internal.facts.SupportFile;
 import org.robotui.core.internal.life.OverlayStore;
 import org.robotui.core.internal.life.Plan;
@@ -251,6 +252,11 @@ public final class Core implements Host {
     Optional<Path> home = Optional.ofNullable(System.getProperty("robotui.home")).map(Path::of);
     return new SupportFile(parts.state().path(), home).write(file, configWatch.files(),
         Map.of("process.txt", String.join("\n", facts.lines())));
+  }
+
+  @Override
+  public Map<Path, String> configurationTexts() {
+    return MaskedFiles.texts(configWatch.files());
   }
 
   @Override

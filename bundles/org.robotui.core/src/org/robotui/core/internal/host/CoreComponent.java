@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
@@ -191,6 +192,11 @@ public final class CoreComponent implements Host {
   @Override
   public List<String> support(Path file) throws IOException {
     return core.support(file);
+  }
+
+  @Override
+  public Map<Path, String> configurationTexts() {
+    return core.configurationTexts();
   }
 
   @Override

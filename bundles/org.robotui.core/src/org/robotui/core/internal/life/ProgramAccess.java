@@ -23,6 +23,7 @@ import org.robotui.api.port.InputState;
 import org.robotui.api.port.Intake;
 import org.robotui.api.port.Port;
 import org.robotui.api.port.PortKind;
+import org.robotui.api.port.RawMessage;
 import org.robotui.api.port.SourceId;
 import org.robotui.core.internal.command.CommandTarget;
 import org.robotui.core.internal.command.OutputEnd;
@@ -79,6 +80,11 @@ final class ProgramAccess implements PortAccess {
   @Override
   public int take(SourceId stream, Consumer<? super Envelope<?>> consumer) {
     return input(stream).drain(consumer);
+  }
+
+  @Override
+  public Optional<List<RawMessage>> held(SourceId stream) {
+    return offered(PortKind.STREAM, stream).flatMap(o -> ((StreamSource<?>) o).held());
   }
 
   @Override

@@ -28,6 +28,7 @@ public final class Fan<T extends Data> {
   private final List<Tap<T>> taps = new CopyOnWriteArrayList<>();
   private final List<Mailbox<T>> mailboxes = new CopyOnWriteArrayList<>();
   private final RateMeter rate;
+  private volatile boolean messages;
 
   /** A fan that starts counting at a moment of the monotonic clock. */
   public Fan(SourceId source, DataType type, long now) {
@@ -44,6 +45,7 @@ public final class Fan<T extends Data> {
   /** Hands out a value whose rate is measured on another clock. */
   void publish(T value, Optional<Stamp> stamp, long receivedNanos, Optional<RawMessage> raw, long markedNanos) {
     Envelope<T> envelope = new Envelope<>(value, source, sequence.getAndIncrement(), stamp, receivedNanos, raw);
+    messages = raw.isPresent();
     rate.mark(markedNanos);
     last.updateAndGet(held -> conflate(held, envelope));
     for (Mailbox<T> mailbox : mailboxes) {
@@ -101,6 +103,11 @@ public final class Fan<T extends Data> {
   /** The newest value, merged for keyed types. */
   public Optional<Envelope<T>> last() {
     return Optional.ofNullable(last.get()).map(Merged::envelope);
+  }
+
+  /** Whether its values come with the messages that they are made of, which merged values lack. */
+  boolean hasMessages() {
+    return messages;
   }
 
   /** Where the values come from. */

@@ -1,6 +1,8 @@
 package org.robotui.core.internal.port;
 
+import java.util.List;
 import java.util.Optional;
+import java.util.function.Supplier;
 import org.robotui.api.port.Publication;
 import org.robotui.api.port.RawMessage;
 import org.robotui.core.internal.time.StampWatch;
@@ -34,6 +36,11 @@ public record StampedStream<T extends Data>(StreamSource<T> source, StampWatch w
   @Override
   public void delivery(String promise) {
     source.delivery(promise);
+  }
+
+  @Override
+  public void held(Supplier<List<RawMessage>> messages) {
+    source.held(messages);
   }
 
   @Override

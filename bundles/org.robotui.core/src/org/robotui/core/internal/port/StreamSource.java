@@ -1,9 +1,11 @@
 package org.robotui.core.internal.port;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Supplier;
 import org.robotui.api.host.PortStatus;
 import org.robotui.api.port.Demand;
 import org.robotui.api.port.Envelope;
@@ -45,6 +47,7 @@ public final class StreamSource<T extends Data> implements Publication<T>, Offer
   private volatile boolean kept;
   private volatile long newestAt;
   private volatile String delivery = "";
+  private volatile Optional<Supplier<List<RawMessage>>> held = Optional.empty();
 
   private record Loss(String reason, long nanos, boolean healed) {}
 
@@ -104,6 +107,16 @@ public final class StreamSource<T extends Data> implements Publication<T>, Offer
   @Override
   public void delivery(String promise) {
     delivery = promise;
+  }
+
+  @Override
+  public void held(Supplier<List<RawMessage>> messages) {
+    held = Optional.of(messages);
+  }
+
+  /** The messages that hold now beside the newest one; nothing where it does not consist of messages. */
+  public Optional<List<RawMessage>> held() {
+    return held.map(Supplier::get).or(() -> fan.hasMessages() ? Optional.of(List.of()) : Optional.empty());
   }
 
   @Override

@@ -30,6 +30,7 @@ import org.robotui.api.port.CommandSink.Sent;
 import org.robotui.api.port.InputState;
 import org.robotui.api.port.PortKind;
 import org.robotui.api.port.Publication;
+import org.robotui.api.port.RawMessage;
 import org.robotui.api.port.ServiceReply;
 import org.robotui.api.port.ServiceRequest;
 import org.robotui.api.port.SourceId;
@@ -39,6 +40,7 @@ import org.robotui.core.internal.support.FakeRobot;
 import org.robotui.core.internal.support.FakeView;
 import org.robotui.core.internal.support.Samples;
 import org.robotui.data.Data;
+import org.robotui.data.array.Bytes;
 import org.robotui.data.command.VelocityCommand;
 import org.robotui.data.record.MapRecord;
 import org.robotui.data.sensor.LaserScan;
@@ -102,6 +104,18 @@ class ProgramAccessTest {
 
   private static Why why(CommandOutcome outcome) {
     return assertInstanceOf(Refused.class, outcome).why();
+  }
+
+  @Test
+  void whoRecordsLearnsWhetherAStreamConsistsOfMessagesAndWhichHold() {
+    RawMessage raw = new RawMessage("Scan", "cdr", Bytes.of((byte) 1), RawMessage.Reader.NONE);
+    publish(1);
+    assertEquals(Optional.empty(), access.held(SCAN));
+    scans.get().publish(Samples.scan(2), Optional.empty(), System.nanoTime(), Optional.of(raw));
+    assertEquals(Optional.of(List.of()), access.held(SCAN));
+    scans.get().held(() -> List.of(raw));
+    assertEquals(Optional.of(List.of(raw)), access.held(SCAN));
+    assertEquals(Optional.empty(), access.held(new SourceId("base", "nothing")));
   }
 
   @Test

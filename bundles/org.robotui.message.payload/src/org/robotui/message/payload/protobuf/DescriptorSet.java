@@ -12,6 +12,7 @@ import java.util.ArrayList;
 import java.util.Base64;
 import java.util.HashMap;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -53,6 +54,26 @@ public final class DescriptorSet {
           .orElseThrow(() -> new IllegalArgumentException("the descriptors that came do not have the type"));
     } catch (InvalidProtocolBufferException | DescriptorValidationException e) {
       throw new IllegalArgumentException("its descriptors cannot be read: " + e.getMessage(), e);
+    }
+  }
+
+  /**
+   * The files that a type needs.
+   *
+   * @param type the type
+   * @return a {@code FileDescriptorSet}, of which no file needs another one that is not in it
+   */
+  public static byte[] of(Descriptor type) {
+    Map<String, FileDescriptor> needed = new LinkedHashMap<>();
+    gather(type.getFile(), needed);
+    return FileDescriptorSet.newBuilder().addAllFile(needed.values().stream().map(FileDescriptor::toProto).toList())
+        .build().toByteArray();
+  }
+
+  private static void gather(FileDescriptor file, Map<String, FileDescriptor> needed) {
+    if (!needed.containsKey(file.getName())) {
+      file.getDependencies().forEach(each -> gather(each, needed));
+      needed.put(file.getName(), file);
     }
   }
 

@@ -6,7 +6,6 @@ import org.robotui.api.port.Publication;
 import org.robotui.api.port.RawMessage;
 import org.robotui.api.port.StreamPort;
 import org.robotui.data.Data;
-import org.robotui.data.array.Bytes;
 import org.robotui.data.record.DynamicRecord;
 import org.robotui.message.data.Adapter;
 import org.robotui.message.data.FrameNames;
@@ -155,7 +154,7 @@ final class TopicStream implements Followed {
     }
 
     private RawMessage raw(D value, Arrival arrival) {
-      return new RawMessage(typed.type(), arrival.encoding(), Bytes.wrap(arrival.bytes()),
+      return arrival.raw(typed.type(),
           bytes -> value instanceof DynamicRecord r ? Optional.of(r) : arrival.reading().apply(bytes));
     }
   }

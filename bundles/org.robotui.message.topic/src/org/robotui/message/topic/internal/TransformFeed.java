@@ -6,9 +6,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.BiConsumer;
+import java.util.stream.Stream;
 import org.robotui.api.port.Arity;
 import org.robotui.api.port.Demand;
 import org.robotui.api.port.Publication;
+import org.robotui.api.port.RawMessage;
 import org.robotui.api.port.StreamPort;
 import org.robotui.data.geometry.TransformSet;
 import org.robotui.message.data.FrameNames;
@@ -36,6 +38,7 @@ public final class TransformFeed implements AutoCloseable {
   private final Publication<TransformSet> publication;
   private final List<TopicSubscription> subscriptions = new ArrayList<>();
   private final Map<Boolean, TopicSubscription> own = new HashMap<>();
+  private final HeldTransforms held = new HeldTransforms();
   private boolean closed;
 
   /**
@@ -50,6 +53,7 @@ public final class TransformFeed implements AutoCloseable {
     this.namespace = scope.settings().namespace().substring(1).replaceAll("/$", "");
     this.publication = scope.context().offers().stream(
         new StreamPort<>("tf", TransformSet.class, Arity.MANY, "/tf and /tf_static"), Demand.IGNORED);
+    publication.held(this::held);
     if (scope.settings().tf()) {
       shared.add(this);
       tick();
@@ -67,7 +71,8 @@ public final class TransformFeed implements AutoCloseable {
   }
 
   private void subscribe(boolean fixed) {
-    subscriptions.add(subscribe(topic(fixed), (message, arrival) -> shared.heard(message, arrival.sender(), fixed)));
+    subscriptions.add(subscribe(topic(fixed),
+        (message, arrival) -> shared.heard(message, arrival.sender(), fixed, raw(arrival))));
   }
 
   private TopicSubscription subscribe(String topic, BiConsumer<TFMessage, Arrival> taking) {
@@ -92,8 +97,25 @@ public final class TransformFeed implements AutoCloseable {
     if (!TYPE.equals(graph.published().get(topic))) {
       Optional.ofNullable(own.remove(fixed)).ifPresent(TopicSubscription::close);
     } else if (!own.containsKey(fixed)) {
-      own.put(fixed, subscribe(topic, (message, arrival) -> received(message, arrival.sender(), fixed)));
+      own.put(fixed, subscribe(topic, (message, arrival) -> receivedOwn(message, arrival, fixed)));
     }
+  }
+
+  private void receivedOwn(TFMessage message, Arrival arrival, boolean fixed) {
+    Optional<RawMessage> raw = raw(arrival);
+    if (fixed) {
+      raw.ifPresent(came -> held.note(message, came));
+    }
+    received(message, arrival.sender(), fixed, raw);
+  }
+
+  /** Not all that says where things are comes as a message of its own. */
+  private static Optional<RawMessage> raw(Arrival arrival) {
+    return arrival.topic().isEmpty() ? Optional.empty() : Optional.of(arrival.raw(TYPE, arrival.reading()::apply));
+  }
+
+  private List<RawMessage> held() {
+    return Stream.concat(shared.held(this::concerns).stream(), held.messages(child -> true).stream()).toList();
   }
 
   private static String topic(boolean fixed) {
@@ -115,12 +137,14 @@ public final class TransformFeed implements AutoCloseable {
    * @param all what was said
    * @param sender who said it
    * @param fixed whether it holds for good
+   * @param raw the message as it came, of all robots; none where it did not come as one
    */
-  public void received(TFMessage all, String sender, boolean fixed) {
+  public void received(TFMessage all, String sender, boolean fixed, Optional<RawMessage> raw) {
     List<TransformStamped> own = all.transforms().stream().filter(t -> concerns(t.childFrameId())).toList();
     if (own.isEmpty()) {
       return;
     }
+    long nanos = System.nanoTime();
     TFMessage message = new TFMessage(own);
     FrameNames names = scope.clock().names();
     Optional<TransformSet> good = StateAdapters.transforms(message, names, fixed);
@@ -131,7 +155,7 @@ public final class TransformFeed implements AutoCloseable {
     }
     good.ifPresent(set -> {
       scope.context().frames().add(set, sender);
-      publication.publish(set, scope.clock().stamp(set.transforms().getFirst().stamp().nanos(), names));
+      publication.publish(set, scope.clock().stamp(set.transforms().getFirst().stamp().nanos(), names), nanos, raw);
     });
   }
 

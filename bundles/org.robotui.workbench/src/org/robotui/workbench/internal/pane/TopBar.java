@@ -2,6 +2,7 @@ package org.robotui.workbench.internal.pane;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.layout.GridData;
 import org.eclipse.swt.layout.GridLayout;
@@ -12,6 +13,7 @@ import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 import org.robotui.ui.control.QuietButton;
 import org.robotui.workbench.internal.model.Lease;
+import org.robotui.workbench.internal.model.RecordWords;
 import org.robotui.workbench.internal.model.Stops;
 
 /**
@@ -26,6 +28,9 @@ public final class TopBar extends Composite {
 
     /** Opens the search for commands and views. */
     void search();
+
+    /** Pops up what can be recorded, below a control. */
+    void record(Control below);
 
     /** Takes or gives back the lease. */
     void lease();
@@ -50,11 +55,15 @@ public final class TopBar extends Composite {
   private static final int SEARCH_WIDTH = 300;
   /** With less there is no search field: its keys would be cut off. */
   private static final int LEAST_SEARCH_WIDTH = 80;
+  private static final int RECORD_WIDTH = 138;
+  private static final int LEAST_RECORD_WIDTH = 28;
+  private static final int RECORD_GAP = 2;
   private static final int LEASE_WIDTH = 190;
   private static final int LEAST_LEASE_WIDTH = 60;
   private static final int STOP_WIDTH = 136;
 
   private final Theme theme;
+  private final RecordLamp record;
   private final LeaseLamp lease;
   private final ShortenedLabel stopped;
   private final QuietButton release;
@@ -63,13 +72,14 @@ public final class TopBar extends Composite {
   private final List<Control> menuButtons = new ArrayList<>();
   private Stops stops = new Stops(List.of(), List.of());
   private boolean operated;
+  private boolean recordable = true;
 
   /** Makes the bar. */
   public TopBar(Composite parent, Theme theme, List<MenuTitle> menus, Actions actions) {
     super(parent, SWT.NONE);
     this.theme = theme;
     setBackground(theme.color(Role.GROUND));
-    GridLayout layout = new GridLayout(menus.size() + 8, false);
+    GridLayout layout = new GridLayout(menus.size() + 9, false);
     layout.marginHeight = 0;
     layout.marginWidth = Theme.EDGE;
     layout.horizontalSpacing = 2;
@@ -84,9 +94,11 @@ public final class TopBar extends Composite {
     of(stopped).horizontalIndent = 2 * Theme.STEP;
     release = place(new QuietButton(this, theme, actions::release), SWT.DEFAULT).text(stops.release());
     release.setVisible(false);
+    record = place(new RecordLamp(this, theme, actions::record), RECORD_WIDTH);
     lease = place(new LeaseLamp(this, theme, actions::lease), LEASE_WIDTH);
     stop = place(new QuietButton(this, theme, actions::stop), STOP_WIDTH).text("STOP  (F12)").fill(Role.BAD)
         .hint("Stop all robots and keep them stopped until released (F12, or space in a view)");
+    of(lease).horizontalIndent = Theme.STEP;
     of(stop).horizontalIndent = 2 * Theme.STEP;
     addListener(SWT.Resize, e -> fit());
     // Line at the lower edge.
@@ -126,6 +138,15 @@ public final class TopBar extends Composite {
     }
   }
 
+  /** Shows what is recorded; nothing where nothing can be. */
+  public void recording(Optional<RecordWords> words) {
+    words.ifPresent(record::show);
+    if (recordable != words.isPresent()) {
+      recordable = words.isPresent();
+      fit();
+    }
+  }
+
   @Override
   public org.eclipse.swt.graphics.Point computeSize(int widthHint, int heightHint, boolean changed) {
     org.eclipse.swt.graphics.Point size = super.computeSize(widthHint, heightHint, changed);
@@ -146,21 +167,33 @@ public final class TopBar extends Composite {
   }
 
   /**
-   * In a narrow window the search gives way, then which are stopped, then who drives, then the place of the button that
-   * releases: the stop is always seen.
+   * In a narrow window the search gives way, then which are stopped, then what is recorded, then who drives, then the
+   * place of the button that releases: the stop is always seen.
    */
   private void fit() {
     width(search, operated ? 0 : SEARCH_WIDTH);
     width(lease, LEASE_WIDTH);
+    width(record, RECORD_WIDTH);
     width(stopped, stopped.computeSize(SWT.DEFAULT, SWT.DEFAULT).x);
     of(release).exclude = false;
+    recordShown(recordable);
     int missing = super.computeSize(SWT.DEFAULT, SWT.DEFAULT, true).x - getClientArea().width;
     missing = narrow(search, 0, missing);
     search.setVisible(of(search).widthHint >= LEAST_SEARCH_WIDTH);
     missing = narrow(stopped, 0, missing);
+    missing = narrow(record, LEAST_RECORD_WIDTH, missing);
     missing = narrow(lease, LEAST_LEASE_WIDTH, missing);
+    if (missing > 0 && recordable) {
+      recordShown(false);
+      missing -= LEAST_RECORD_WIDTH + RECORD_GAP;
+    }
     of(release).exclude = missing > 0 && !release.getVisible();
     layout();
+  }
+
+  private void recordShown(boolean now) {
+    record.setVisible(now);
+    of(record).exclude = !now;
   }
 
   /** What is missing then. */

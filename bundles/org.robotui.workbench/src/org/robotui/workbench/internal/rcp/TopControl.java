@@ -1,6 +1,7 @@
 package org.robotui.workbench.internal.rcp;
 
 import jakarta.annotation.PostConstruct;
+import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
 import org.eclipse.e4.ui.model.application.ui.basic.MWindow;
@@ -13,6 +14,7 @@ import org.robotui.workbench.internal.WorkbenchServices;
 import org.robotui.workbench.internal.WorkbenchSession;
 import org.robotui.workbench.internal.model.Lease;
 import org.robotui.workbench.internal.model.Overview;
+import org.robotui.workbench.internal.model.RecordWords;
 import org.robotui.workbench.internal.model.WindowModel;
 import org.robotui.workbench.internal.pane.Menus;
 import org.robotui.workbench.internal.pane.TopBar;
@@ -38,6 +40,7 @@ public final class TopControl {
     bar.searchKeys(session.keys().text("search"));
     Optional<Ruic> ruic = model.selected();
     LinkState link = ruic.map(session.overview()::detail).orElse(Overview.Detail.NONE).link();
+    bar.recording(WorkbenchServices.recorder().map(recorder -> RecordWords.of(recorder.state(), Instant.now())));
     bar.show(Lease.of(ruic.map(Ruic::authorities).orElse(List.of()), link, session.user()), session.stops());
   }
 }

@@ -80,6 +80,11 @@ final class WindowActions implements TopBar.Actions, Navigator.Actions, RobotAre
   }
 
   @Override
+  public void record(Control below) {
+    WorkbenchServices.recorder().ifPresent(recorder -> new RecordMenu(session, recorder, selected()).openBelow(below));
+  }
+
+  @Override
   public void lease() {
     List<Authority> all = selected().map(Ruic::authorities).orElse(List.of());
     if (all.size() > 1) {

@@ -22,6 +22,11 @@ final class NoActions implements TopBar.Actions, Navigator.Actions, RobotArea.Ac
   }
 
   @Override
+  public void record(Control below) {
+    calls.add("record");
+  }
+
+  @Override
   public void lease() {
     calls.add("lease");
   }

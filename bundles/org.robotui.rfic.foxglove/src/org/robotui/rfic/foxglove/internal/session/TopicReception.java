@@ -2,11 +2,15 @@ package org.robotui.rfic.foxglove.internal.session;
 
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import java.util.Base64;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Consumer;
+import org.robotui.api.port.RawDefinition;
 import org.robotui.data.array.Bytes;
 import org.robotui.data.record.DynamicRecord;
 import org.robotui.foxglove.FoxgloveClient;
@@ -25,6 +29,9 @@ import org.robotui.web.ArrivalSubscription;
  * @param <M> the Java value of a message
  */
 final class TopicReception<M> implements TopicSubscription {
+  /** Encodings of schemas that come in Base64. */
+  private static final Set<String> BINARY = Set.of("protobuf", "flatbuffer");
+
   private final FoxgloveClient client;
   private final Wanted<M> wanted;
   private final Consumer<TopicReception<M>> end;
@@ -83,7 +90,8 @@ final class TopicReception<M> implements TopicSubscription {
 
   private void received(Offered offered, PayloadFormat.Reading<M> reading, ByteBuffer payload, long receivedNanos) {
     Arrival arrival = new Arrival(wanted.sender(), receivedNanos, false, offered.channel().encoding(),
-        payload.asReadOnlyBuffer(), bytes -> record(offered, bytes));
+        payload.asReadOnlyBuffer(), bytes -> record(offered, bytes), offered.channel().topic(),
+        () -> definition(offered.channel()));
     M message;
     try {
       message = reading.read(payload);
@@ -92,6 +100,29 @@ final class TopicReception<M> implements TopicSubscription {
       return;
     }
     wanted.listener().received(message, arrival);
+  }
+
+  private static Optional<RawDefinition> definition(ServerChannel channel) {
+    if (channel.schema().isEmpty()) {
+      return Optional.empty();
+    }
+    try {
+      byte[] content = BINARY.contains(channel.schemaEncoding()) ? Base64.getDecoder().decode(channel.schema())
+          : channel.schema().getBytes(StandardCharsets.UTF_8);
+      return Optional.of(new RawDefinition(channel.type(), schemaEncoding(channel), Bytes.of(content)));
+    } catch (IllegalArgumentException e) {
+      return Optional.empty(); // no Base64, which was told when its messages were to be read
+    }
+  }
+
+  /** Servers of the first versions of the protocol did not name it. */
+  private static String schemaEncoding(ServerChannel channel) {
+    return !channel.schemaEncoding().isEmpty() ? channel.schemaEncoding() : switch (channel.encoding()) {
+      case "ros1" -> "ros1msg";
+      case "cdr" -> "ros2msg";
+      case "json" -> "jsonschema";
+      default -> channel.encoding();
+    };
   }
 
   private static Optional<DynamicRecord> record(Offered offered, Bytes bytes) {

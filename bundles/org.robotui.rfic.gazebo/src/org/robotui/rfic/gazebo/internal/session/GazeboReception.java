@@ -4,10 +4,13 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.Optional;
 import java.util.function.Supplier;
+import org.robotui.api.port.RawDefinition;
 import org.robotui.data.array.Bytes;
 import org.robotui.data.record.DynamicRecord;
 import org.robotui.gazebo.GazeboNode;
 import org.robotui.message.payload.PayloadFormat;
+import org.robotui.message.payload.protobuf.DescriptorSet;
+import org.robotui.message.payload.protobuf.ProtobufFormat;
 import org.robotui.message.topic.Arrival;
 import org.robotui.message.topic.TopicListener;
 import org.robotui.message.topic.TopicSubscription;
@@ -48,7 +51,7 @@ final class GazeboReception<M> implements TopicSubscription {
   }
 
   private void received(String sender, ByteBuffer payload, long nanos, TopicListener<M> listener) {
-    Arrival arrival = arrival(read.format(), sender, payload, nanos);
+    Arrival arrival = arrival(topic, read.format(), sender, payload, nanos);
     M message;
     try {
       message = read.reading().read(payload);
@@ -60,8 +63,15 @@ final class GazeboReception<M> implements TopicSubscription {
   }
 
   /** How a message came. */
-  static Arrival arrival(PayloadFormat format, String sender, ByteBuffer payload, long nanos) {
-    return new Arrival(sender, nanos, false, ENCODING, payload.asReadOnlyBuffer(), bytes -> record(format, bytes));
+  static Arrival arrival(String topic, PayloadFormat format, String sender, ByteBuffer payload, long nanos) {
+    return new Arrival(sender, nanos, false, ENCODING, payload.asReadOnlyBuffer(), bytes -> record(format, bytes),
+        topic, () -> definition(format));
+  }
+
+  private static Optional<RawDefinition> definition(PayloadFormat format) {
+    return format instanceof ProtobufFormat known
+        ? Optional.of(new RawDefinition(known.type(), ENCODING, Bytes.of(DescriptorSet.of(known.descriptor()))))
+        : Optional.empty();
   }
 
   private static Optional<DynamicRecord> record(PayloadFormat format, Bytes bytes) {

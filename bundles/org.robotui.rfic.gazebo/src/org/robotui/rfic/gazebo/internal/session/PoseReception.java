@@ -55,7 +55,7 @@ final class PoseReception implements TopicSubscription {
   private ArrivalSubscription subscribe(String topic, String type) {
     PayloadFormat format = parts.formats().of(type);
     return parts.node().subscribe(topic, type, MOST, (sender, payload, nanos) -> received(format,
-        payload, GazeboReception.arrival(format, sender, payload, nanos)));
+        payload, GazeboReception.arrival(topic, format, sender, payload, nanos)));
   }
 
   private void received(PayloadFormat format, ByteBuffer payload, Arrival arrival) {

@@ -1,11 +1,15 @@
 package org.robotui.rfic.lcm.internal.session;
 
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import org.robotui.api.RficContext;
+import org.robotui.api.port.RawDefinition;
 import org.robotui.api.port.RawMessage;
+import org.robotui.api.port.RawOrigin;
 import org.robotui.data.array.Bytes;
 import org.robotui.data.record.DynamicRecord;
 import org.robotui.lcm.LcmMessage;
@@ -14,9 +18,12 @@ import org.robotui.lcm.type.LcmType;
 import org.robotui.lcm.type.RecordException;
 import org.robotui.lcm.type.TypeLibrary;
 import org.robotui.rfic.lcm.internal.convert.RecordView;
+import org.robotui.rfic.lcm.internal.convert.TypeText;
 
 /** One channel. Messages come from one thread; what is asked of it comes from any. */
 final class Channel implements AutoCloseable {
+  private static final String ENCODING = "lcm";
+
   private final String name;
   private final RficContext context;
   private final TypeLibrary types;
@@ -57,18 +64,30 @@ final class Channel implements AutoCloseable {
   private void give(LcmMessage message) {
     if (type.isEmpty()) {
       RawMessage raw =
-          new RawMessage("unknown " + fingerprint, "lcm", Bytes.wrap(message.data()), RawMessage.Reader.NONE);
+          raw("unknown " + fingerprint, message, RawMessage.Reader.NONE, Optional::empty);
       feeds.stream().filter(Feed::wanted).forEach(f -> f.unknown(message, raw));
       return;
     }
     try {
       LcmRecord record = type.get().decode(message.data());
       Optional<DynamicRecord> view = Optional.of(new RecordView(record));
-      RawMessage raw = new RawMessage(type.get().name(), "lcm", Bytes.wrap(message.data()), bytes -> view);
+      LcmType of = type.get();
+      RawMessage raw = raw(of.name(), message, bytes -> view, () -> Optional.of(definition(of)));
       feeds.stream().filter(Feed::wanted).forEach(f -> f.decoded(record, message, raw));
     } catch (RecordException e) {
       feeds.stream().filter(Feed::wanted).forEach(f -> f.lost(message, e.getMessage()));
     }
+  }
+
+  private RawMessage raw(String schema, LcmMessage message, RawMessage.Reader reader,
+      Supplier<Optional<RawDefinition>> definition) {
+    return new RawMessage(schema, ENCODING, Bytes.wrap(message.data()), reader,
+        new RawOrigin(name, message.sender(), false, definition));
+  }
+
+  private RawDefinition definition(LcmType of) {
+    byte[] text = TypeText.of(of, types).getBytes(StandardCharsets.UTF_8);
+    return new RawDefinition(of.name(), ENCODING, Bytes.of(text));
   }
 
   /** The sender means another type than before, or has just begun. */

@@ -18,6 +18,7 @@ import org.robotui.api.port.CommandPort;
 import org.robotui.api.port.CommandSink;
 import org.robotui.api.port.Offer;
 import org.robotui.api.port.RawMessage;
+import org.robotui.api.port.RawOrigin;
 import org.robotui.data.Data;
 import org.robotui.data.array.Bytes;
 import org.robotui.data.record.DynamicRecord;
@@ -292,7 +293,8 @@ public final class DeviceFeed implements AutoCloseable {
 
   private RawMessage raw(PlayerMessage message) {
     ByteBuffer payload = message.payload();
-    return new RawMessage(around.schema(message), "player", Bytes.wrap(payload), bytes -> read(message));
+    return new RawMessage(around.schema(message), Surroundings.ENCODING, Bytes.wrap(payload), bytes -> read(message),
+        new RawOrigin(name(), around.peer(), false, () -> around.definition(message)));
   }
 
   private Optional<DynamicRecord> read(PlayerMessage message) {

@@ -1,13 +1,17 @@
 package org.robotui.rfic.player.internal.device;
 
+import java.nio.charset.StandardCharsets;
 import java.util.Optional;
 import java.util.function.Predicate;
 import org.robotui.api.RficContext;
 import org.robotui.api.link.Pulse;
+import org.robotui.api.port.RawDefinition;
+import org.robotui.data.array.Bytes;
 import org.robotui.player.layout.Layouts;
 import org.robotui.player.layout.MessageLayout;
 import org.robotui.player.wire.PlayerException;
 import org.robotui.player.wire.PlayerMessage;
+import org.robotui.rfic.player.internal.convert.PlayerShapes;
 import org.robotui.rfic.player.internal.convert.RecordView;
 import org.robotui.rfic.player.internal.convert.Sonars;
 import org.robotui.rfic.player.internal.link.Stamps;
@@ -28,6 +32,9 @@ import org.robotui.rfic.player.internal.link.Stamps;
 public record Surroundings(RficContext context, Layouts layouts, FrameTree tree, Stamps stamps, Pulse pulse,
     Sonars.Beam sonars,
     Predicate<String> base, Predicate<String> carrier, String peer) {
+  /** What the bytes of its messages are called, and what their definitions are. */
+  static final String ENCODING = "player";
+
   boolean isBase(String device) {
     return base.test(device);
   }
@@ -42,6 +49,12 @@ public record Surroundings(RficContext context, Layouts layouts, FrameTree tree,
     String name = device.substring(0, device.lastIndexOf(':'));
     Optional<String> known = layouts.of(message).map(MessageLayout::name);
     return name + "/" + known.orElseGet(() -> Integer.toString(message.subtype()));
+  }
+
+  /** The layout of a message in words, as the browser shows it. */
+  Optional<RawDefinition> definition(PlayerMessage message) {
+    return layouts.of(message).map(layout -> new RawDefinition(schema(message), ENCODING,
+        Bytes.of(PlayerShapes.text(layout.payload()).getBytes(StandardCharsets.UTF_8))));
   }
 
   RecordView record(PlayerMessage message) throws PlayerException {

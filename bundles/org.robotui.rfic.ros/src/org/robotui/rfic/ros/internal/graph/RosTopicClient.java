@@ -11,6 +11,7 @@ import org.robotui.message.RecordCodec;
 import org.robotui.message.SchemaLookup;
 import org.robotui.message.data.MessageForm;
 import org.robotui.message.topic.Arrival;
+import org.robotui.message.topic.RecordedDefinitions;
 import org.robotui.message.topic.TopicClient;
 import org.robotui.message.topic.TopicListener;
 import org.robotui.message.topic.TopicPublisher;
@@ -45,7 +46,7 @@ final class RosTopicClient implements TopicClient {
 
   private <R, M> TopicSubscription subscribe(String topic, MessageReading<R, M> reading, TopicListener<M> listener) {
     return new Subscribed(topic, watch, node.subscriber(topic, reading.codec(), SubscriberOptions.observing(),
-        (message, reception) -> received(message, reading.message(), arrival(reception), listener)));
+        (message, reception) -> received(message, reading.message(), arrival(topic, reception), listener)));
   }
 
   private static <R, M> void received(R received, Function<R, M> reading, Arrival arrival, TopicListener<M> listener) {
@@ -59,10 +60,10 @@ final class RosTopicClient implements TopicClient {
     listener.received(message, arrival);
   }
 
-  private Arrival arrival(Reception reception) {
+  private Arrival arrival(String topic, Reception reception) {
     ByteBuffer bytes = reception.raw();
     return new Arrival(reception.callerId(), reception.receiveNanos(), reception.latched(), ENCODING, bytes,
-        raw -> records.read(reception.peer(), raw));
+        raw -> records.read(reception.peer(), raw), topic, () -> RecordedDefinitions.announced(reception.peer()));
   }
 
   @Override

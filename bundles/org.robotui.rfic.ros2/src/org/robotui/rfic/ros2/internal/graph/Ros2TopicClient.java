@@ -8,9 +8,11 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.robotui.api.port.RawDefinition;
 import org.robotui.data.array.Bytes;
 import org.robotui.data.record.DynamicRecord;
 import org.robotui.message.DynamicMessage;
+import org.robotui.message.Encoding;
 import org.robotui.message.MessageException;
 import org.robotui.message.MessageSchema;
 import org.robotui.message.SchemaLookup;
@@ -20,6 +22,7 @@ import org.robotui.message.description.TypeHash;
 import org.robotui.message.description.TypeName;
 import org.robotui.message.ros.visualization_msgs.GetInteractiveMarkersResponse;
 import org.robotui.message.topic.Arrival;
+import org.robotui.message.topic.RecordedDefinitions;
 import org.robotui.message.topic.TopicClient;
 import org.robotui.message.topic.TopicListener;
 import org.robotui.message.topic.TopicPublisher;
@@ -58,7 +61,8 @@ final class Ros2TopicClient implements TopicClient {
     VersionedReading<M> reading = new VersionedReading<>(name, form, lookups);
     TopicIn<M> made = new TopicIn<>(node, topic, reading, () -> announced(topic, name),
         Ros2Codec.raw(name, Optional.empty()),
-        (bytes, reception) -> received(bytes, reception, reading, listener), ended -> subscribed.remove(topic, ended));
+        (bytes, reception) -> received(topic, bytes, reception, reading, listener),
+        ended -> subscribed.remove(topic, ended));
     subscribed.put(topic, made);
     made.advance();
     return made;
@@ -86,10 +90,11 @@ final class Ros2TopicClient implements TopicClient {
         .flatMap(seen -> seen.publishers().stream());
   }
 
-  private <M> void received(ByteBuffer bytes, Ros2Reception reception, VersionedReading<M> reading,
+  private <M> void received(String topic, ByteBuffer bytes, Ros2Reception reception, VersionedReading<M> reading,
       TopicListener<M> listener) {
     Arrival arrival = new Arrival(reception.from(), reception.receiveNanos(), reception.kept(), ENCODING, bytes,
-        raw -> record(reception.type(), reception.hash(), raw));
+        raw -> record(reception.type(), reception.hash(), raw), topic,
+        () -> definition(reception.type(), reception.hash()));
     M message;
     try {
       message = reading.read(bytes.duplicate(), reception.hash());
@@ -98,6 +103,12 @@ final class Ros2TopicClient implements TopicClient {
       return;
     }
     listener.received(message, arrival);
+  }
+
+  private Optional<RawDefinition> definition(TypeName type, Optional<TypeHash> hash) {
+    return lookups.known(type, hash) instanceof SchemaLookup.Found<MessageSchema> found
+        ? Optional.of(RecordedDefinitions.of(found.schema(), Encoding.CDR))
+        : Optional.empty();
   }
 
   private Optional<DynamicRecord> record(TypeName type, Optional<TypeHash> hash, Bytes raw) {

@@ -13,6 +13,7 @@ import org.robotui.message.data.MessageForm;
 import org.robotui.message.payload.JsonFormat;
 import org.robotui.message.payload.RosFormat;
 import org.robotui.message.topic.Arrival;
+import org.robotui.message.topic.RecordedDefinitions;
 import org.robotui.message.topic.TopicListener;
 import org.robotui.message.topic.TopicSubscription;
 import org.robotui.rosbridge.BridgeMessage;
@@ -112,7 +113,8 @@ final class BridgeReception<M> implements TopicSubscription {
     private Arrival arrival(RosFormat format, ByteBuffer bytes, long receivedNanos) {
       String encoding = format.encoding().equals(Encoding.CDR) ? "cdr" : "ros1";
       return new Arrival(topics.server(), receivedNanos, false, encoding, bytes.asReadOnlyBuffer(),
-          all -> record(format, all));
+          all -> record(format, all), asked.topic(),
+          () -> Optional.of(RecordedDefinitions.of(schema, format.encoding())));
     }
 
     private static Optional<DynamicRecord> record(RosFormat format, Bytes bytes) {

@@ -1,0 +1,100 @@
+package org.robotui.recorder.internal.capture;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
+import org.robotui.api.port.Envelope;
+import org.robotui.api.port.RawDefinition;
+import org.robotui.api.port.RawMessage;
+import org.robotui.api.port.SourceId;
+import org.robotui.data.record.DataRecord;
+import org.robotui.recording.RecordedSchema;
+
+/** The series of messages that were met. One thread adds, any thread looks. */
+final class HeadTable {
+  /** How long a definition is not asked for again that was not known, in nanoseconds. */
+  private static final long PATIENCE = 1_000_000_000L;
+  private static final String DATA = "robotui.";
+
+  /**
+   * Where a stream comes from.
+   *
+   * @param ui the robot UI
+   * @param robot the robot
+   * @param framework the type of the robot interface
+   * @param port its port
+   */
+  record Place(String ui, String robot, String framework, SourceId port) {}
+
+  /** Several ports may give what comes by one topic: the first one gives it its name. */
+  private record Key(String ui, String component, String topic, String schema, String encoding) {
+    Key(Place place, String topic, String schema, String encoding) {
+      this(place.ui(), place.port().component(), topic, schema, encoding);
+    }
+  }
+
+  private record Known(StreamHead head, boolean complete, long lookedNanos) {}
+
+  private final Map<Key, Known> known = new LinkedHashMap<>();
+  private final List<StreamHead> all = new CopyOnWriteArrayList<>();
+
+  List<StreamHead> all() {
+    return all;
+  }
+
+  void add(StreamHead head) {
+    all.add(head);
+  }
+
+  StreamHead of(Place place, Envelope<?> envelope) {
+    return envelope.raw().map(raw -> of(place, raw)).orElseGet(() -> ofData(place, envelope));
+  }
+
+  /** A definition may become known later: what comes then is another series. */
+  StreamHead of(Place place, RawMessage raw) {
+    Key key = new Key(place, topic(place, raw), raw.schema(), raw.encoding());
+    Known found = known.get(key);
+    if (found != null && (found.complete() || System.nanoTime() - found.lookedNanos() < PATIENCE)) {
+      return found.head();
+    }
+    Optional<RawDefinition> definition = raw.origin().definition().get();
+    StreamHead head = found != null && definition.isEmpty() ? found.head()
+        : added(new StreamHead(place.ui(), key.topic(), raw.encoding(), schema(raw, definition),
+            metadata(place, raw.schema())));
+    known.put(key, new Known(head, definition.isPresent(), System.nanoTime()));
+    return head;
+  }
+
+  private StreamHead added(StreamHead head) {
+    all.add(head);
+    return head;
+  }
+
+  private static String topic(Place place, RawMessage raw) {
+    return raw.origin().topic().isEmpty() ? place.port().port() : raw.origin().topic();
+  }
+
+  private static RecordedSchema schema(RawMessage raw, Optional<RawDefinition> definition) {
+    return definition.map(d -> {
+      byte[] content = new byte[d.content().size()];
+      d.content().copyTo(0, content, 0, content.length);
+      return new RecordedSchema(d.name(), d.encoding(), content);
+    }).orElseGet(() -> RecordedSchema.NONE);
+  }
+
+  private StreamHead ofData(Place place, Envelope<?> envelope) {
+    String type = envelope.value().getClass().getSimpleName();
+    Key key = new Key(place, "/" + place.ui() + "/" + place.port(), type, DataJson.ENCODING);
+    return known.computeIfAbsent(key, k -> new Known(
+        added(new StreamHead(place.ui(), k.topic(), DataJson.ENCODING,
+            DataJson.schema(DATA + type, DataRecord.of(envelope.value())), metadata(place, type))),
+        true, 0)).head();
+  }
+
+  private static Map<String, String> metadata(Place place, String type) {
+    return Map.of("robotui.ui", place.ui(), "robotui.robot", place.robot(), "robotui.framework", place.framework(),
+        "robotui.interface", place.port().component(), "robotui.port", place.port().port(), "robotui.type", type);
+  }
+}
