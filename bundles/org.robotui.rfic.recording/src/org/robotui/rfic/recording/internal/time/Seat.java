@@ -23,7 +23,7 @@ public final class Seat implements AutoCloseable {
   private final PlayedTrack track;
   private final long configured;
   private long offset;
-  private long limit;
+  private long limit = NEVER;
   private Optional<Long> move = Optional.empty();
   private volatile boolean moving = true;
   private boolean departed;
