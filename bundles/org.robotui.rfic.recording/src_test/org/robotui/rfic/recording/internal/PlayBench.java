@@ -52,6 +52,7 @@ final class PlayBench implements AutoCloseable {
 
   /** Lets real time pass, slowly enough that nobody is late, and waits until the timeline is there. */
   void pass(double seconds, double expected) {
+    await(() -> "it is on its way to " + state(), timeline::isThere);
     long left = Math.round(seconds * 1e9);
     while (left > 0) {
       long turn = Math.min(left, TURN_NANOS);
@@ -67,7 +68,7 @@ final class PlayBench implements AutoCloseable {
   /** Waits until the timeline is somewhere, with all that holds there. */
   void at(double seconds) {
     await(() -> "it is at " + (state().position() - SmallRecording.BEGIN) / 1e9 + " s, not at " + seconds,
-        () -> state().position() == SmallRecording.time(seconds));
+        () -> state().position() == SmallRecording.time(seconds) && timeline.isThere());
   }
 
   void seek(double seconds) {

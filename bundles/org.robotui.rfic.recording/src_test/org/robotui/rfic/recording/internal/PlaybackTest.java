@@ -235,6 +235,23 @@ class PlaybackTest {
   }
 
   @Test
+  void timesThatNobodyMeansHoldNothingUp() throws RecordingException {
+    Path odd = folder.resolve("odd.mcap");
+    try (SmallRecording recording = new SmallRecording(odd)) {
+      recording.odometry("/odom", 0, 0).odometry("/odom", 1, 1);
+      recording.at("/odom", Long.MAX_VALUE).at("/odom", Long.MIN_VALUE).at("/odom", Long.MAX_VALUE / 2);
+    }
+    FakeRficContext context = bench.open(odd, Map.of("play", false, "offset", 4e9));
+    context.demand(ODOM, true);
+    TimeRange span = bench.state().span().orElseThrow();
+    assertTrue(span.start() >= 0 && span.length() > 0, span.toString());
+    bench.seek(4e9 + 0.5);
+    PlayBench.awaitX(context, ODOM, 0);
+    bench.timeline.seek(Long.MAX_VALUE);
+    PlayBench.awaitX(context, ODOM, 1);
+  }
+
+  @Test
   void howOftenTopicsSpeakIsKnownAfterAWhile() {
     open(STANDING);
     PlayBench.await(() -> bench.timeline.tracks().toString(), () -> bench.timeline.tracks().getFirst().lanes().stream()

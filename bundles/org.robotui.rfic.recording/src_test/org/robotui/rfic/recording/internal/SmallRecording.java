@@ -71,7 +71,12 @@ final class SmallRecording implements AutoCloseable {
 
   /** The bytes of the last message once more. */
   SmallRecording again(String topic, double seconds) throws RecordingException {
-    writer.write(channels.get(topic), time(seconds), time(seconds), 0, last.duplicate());
+    return at(topic, time(seconds));
+  }
+
+  /** The same at any time. */
+  SmallRecording at(String topic, long nanos) throws RecordingException {
+    writer.write(channels.get(topic), nanos, nanos, 0, last.duplicate());
     return this;
   }
 

@@ -20,7 +20,6 @@ import org.robotui.message.topic.RobotTopics;
 import org.robotui.message.topic.SharedTransforms;
 import org.robotui.message.topic.TopicPorts;
 import org.robotui.recording.RecordingDamage;
-import org.robotui.recording.RecordingInterval;
 import org.robotui.recording.RecordingReader;
 import org.robotui.recording.Recordings;
 import org.robotui.recording.ScanProgress;
@@ -94,8 +93,10 @@ public final class RecordingSession implements RobotSession {
       SessionScope scope) throws IOException {
     RecordingReader recording =
         scope.closing(Recordings.open(settings.file(), progress(context, settings)), RecordingReader::close);
-    RecordingInterval span = recording.span().orElseThrow(() -> new IOException(empty(recording)));
-    return new RecordingSession(context, settings, recording, new TimeRange(span.start(), span.end()), timeline);
+    TimeRange span = recording.span().filter(each -> each.end() >= 0 && each.start() <= Seat.FARTHEST)
+        .map(each -> new TimeRange(Math.max(0, each.start()), Math.min(Seat.FARTHEST, each.end())))
+        .orElseThrow(() -> new IOException(empty(recording)));
+    return new RecordingSession(context, settings, recording, span, timeline);
   }
 
   private static ScanProgress progress(RficContext context, RecordingSettings settings) {

@@ -23,12 +23,16 @@ import org.robotui.recording.RecordingReader;
 import org.robotui.rfic.recording.internal.time.PlayedTrack;
 import org.robotui.rfic.recording.internal.time.Seat;
 import org.robotui.rfic.recording.internal.time.Turn;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
  * Reads a recording on a thread of its own, and delivers its messages at their times. It reads one message ahead, out
  * of chunks of which a bounded number is in memory.
  */
 final class TrackPlayer implements PlayedTrack {
+  private static final Logger LOG = LoggerFactory.getLogger(TrackPlayer.class);
+
   private final TrackId id;
   private final RecordingReader recording;
   private final TimeRange span;
@@ -106,6 +110,9 @@ final class TrackPlayer implements PlayedTrack {
       ended.complete(e.getMessage());
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
+    } catch (RuntimeException e) {
+      LOG.error("{} cannot be played on", recording.file(), e);
+      ended.complete(recording.file() + " cannot be played on: " + e); // the timeline must not wait for it
     }
   }
 

@@ -14,6 +14,8 @@ import org.robotui.api.replay.Track;
 public final class Seat implements AutoCloseable {
   /** The time of the next message where there is none. */
   public static final long NEVER = Long.MAX_VALUE;
+  /** The last time of a file that is played: in the year 2116. */
+  public static final long FARTHEST = Long.MAX_VALUE / 2;
 
   private final SharedTimeline timeline;
   private final ReentrantLock lock;
@@ -21,7 +23,7 @@ public final class Seat implements AutoCloseable {
   private final PlayedTrack track;
   private final long configured;
   private long offset;
-  private long limit;
+  private long limit = NEVER;
   private Optional<Long> move = Optional.empty();
   private volatile boolean moving = true;
   private boolean departed;
@@ -35,7 +37,7 @@ public final class Seat implements AutoCloseable {
     this.changed = changed;
     this.track = track;
     this.configured = configured;
-    this.offset = configured + kept;
+    shift(configured + kept);
   }
 
   PlayedTrack track() {
@@ -57,15 +59,16 @@ public final class Seat implements AutoCloseable {
   }
 
   void shift(long to) {
-    offset = to;
+    offset = Math.clamp(to, -FARTHEST, FARTHEST);
   }
 
   long toFile(long time) {
     return time - offset;
   }
 
+  /** What lies in a very far future never comes. */
   long toTimeline(long time) {
-    return time == NEVER ? NEVER : time + offset;
+    return time > FARTHEST ? NEVER : time + offset;
   }
 
   /** As far as the timeline may pass, by the time of the timeline. */

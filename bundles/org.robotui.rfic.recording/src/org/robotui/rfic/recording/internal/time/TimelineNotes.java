@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import org.robotui.api.config.SetAside;
+import org.robotui.api.config.WriteFailure;
 import org.robotui.api.replay.Bookmark;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -24,7 +25,8 @@ final class TimelineNotes {
 
   private final Map<Long, Bookmark> shown = new TreeMap<>();
   private final Map<String, FileNotes> files = new LinkedHashMap<>();
-  private Optional<Path> place = Optional.empty();
+  private final Object writing = new Object();
+  private volatile Optional<Path> place = Optional.empty();
   private boolean changed;
 
   /** Reads what was kept, at the first call. */
@@ -41,17 +43,26 @@ final class TimelineNotes {
     }
   }
 
-  /** Writes what has changed. Blocks for the file. */
-  synchronized void save() {
-    if (!changed || place.isEmpty()) {
-      return;
+  /** Writes what has changed. Blocks for the file, and nobody else meanwhile who does not write it. */
+  void save() {
+    synchronized (writing) {
+      takeChanged().ifPresent(this::write);
     }
-    changed = false;
+  }
+
+  private synchronized Optional<Map<String, FileNotes>> takeChanged() {
+    boolean due = changed && place.isPresent();
+    changed &= !due;
+    return due ? Optional.of(new LinkedHashMap<>(files)) : Optional.empty();
+  }
+
+  private void write(Map<String, FileNotes> now) {
+    Path file = place.orElseThrow();
     try {
-      NotesFile.write(place.get(), files);
+      NotesFile.write(file, now);
     } catch (IOException e) {
-      LOG.warn("Bookmarks and offsets of recordings cannot be kept: {} cannot be written: {}", place.get(),
-          e.toString());
+      LOG.warn("Bookmarks and offsets of recordings cannot be kept: {} cannot be written: {}", file,
+          WriteFailure.reason(e));
     }
   }
 

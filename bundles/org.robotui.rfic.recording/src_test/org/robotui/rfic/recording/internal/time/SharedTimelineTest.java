@@ -157,6 +157,22 @@ class SharedTimelineTest {
   }
 
   @Test
+  void oneThatJoinsLaterIsTakenToWhereTheOthersAre() throws InterruptedException {
+    Seat first = timeline.add(new Track("a", 100, 200), STANDING, folder);
+    moved(first);
+    first.arrived(Seat.NEVER);
+    timeline.seek(180 * SECOND);
+    assertEquals(180, moved(first));
+    first.arrived(Seat.NEVER);
+    Seat second = timeline.add(new Track("b", 50, 250), new PlaySettings(0, true, false), folder);
+    assertEquals(180 * SECOND, timeline.state().position());
+    assertEquals(180, moved(second));
+    assertFalse(timeline.state().playing(), "a user had it stand");
+    first.close();
+    second.close();
+  }
+
+  @Test
   void bookmarksAndOffsetsAreThereAgainWithTheRecording() throws IOException, InterruptedException {
     Seat seat = timeline.add(new Track("a", 100, 200), new PlaySettings(10 * SECOND, false, false), folder);
     timeline.mark(new Bookmark(120 * SECOND, "a bump, \"hard\""));
