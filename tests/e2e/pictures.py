@@ -10,7 +10,7 @@ import tempfile
 import time
 
 from conftest import ROOT, Processes, Robot, start_simulator, wait_for
-from desktop import DARK, LIGHT, Keys, Motion, Picture, Window, missing, output
+from desktop import DARK, LIGHT, NAVIGATOR, Keys, Motion, Picture, Window, missing, output
 from playback import RECORDING, Bar
 from test_install import Served, sample_sites
 from test_new_robot import Form
@@ -219,6 +219,7 @@ def recording(processes, environment):
     window = Window(processes.start([ROOT / "robotui", "run", "--theme", "dark", RECORDING], "recording", environment))
     bar = Bar(window)
     bar.expand()
+    window.move((NAVIGATOR + 400, 700))         # away from the button and its tooltip
     wait_for(lambda: (bar.position() or 0) > bar.at(0.3)[0], seconds=60, what="a way gone")
     save(window, PLAYED)
     window.close()
