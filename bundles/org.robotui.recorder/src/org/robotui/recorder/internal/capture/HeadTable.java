@@ -1,5 +1,6 @@
 package org.robotui.recorder.internal.capture;
 
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -62,7 +63,7 @@ final class HeadTable {
     Optional<RawDefinition> definition = raw.origin().definition().get();
     StreamHead head = found != null && definition.isEmpty() ? found.head()
         : added(new StreamHead(place.ui(), key.topic(), raw.encoding(), schema(raw, definition),
-            metadata(place, raw.schema())));
+            metadata(place, raw.schema(), raw.origin().kept())));
     known.put(key, new Known(head, definition.isPresent(), System.nanoTime()));
     return head;
   }
@@ -89,12 +90,17 @@ final class HeadTable {
     Key key = new Key(place, "/" + place.ui() + "/" + place.port(), type, DataJson.ENCODING);
     return known.computeIfAbsent(key, k -> new Known(
         added(new StreamHead(place.ui(), k.topic(), DataJson.ENCODING,
-            DataJson.schema(DATA + type, DataRecord.of(envelope.value())), metadata(place, type))),
+            DataJson.schema(DATA + type, DataRecord.of(envelope.value())), metadata(place, type, false))),
         true, 0)).head();
   }
 
-  private static Map<String, String> metadata(Place place, String type) {
-    return Map.of("robotui.ui", place.ui(), "robotui.robot", place.robot(), "robotui.framework", place.framework(),
-        "robotui.interface", place.port().component(), "robotui.port", place.port().port(), "robotui.type", type);
+  private static Map<String, String> metadata(Place place, String type, boolean latched) {
+    Map<String, String> metadata = new HashMap<>(Map.of("robotui.ui", place.ui(), "robotui.robot", place.robot(),
+        "robotui.framework", place.framework(), "robotui.interface", place.port().component(), "robotui.port",
+        place.port().port(), "robotui.type", type));
+    if (latched) {
+      metadata.put("latching", "1"); // as bags note it: readers deliver the last one to who comes later
+    }
+    return metadata;
   }
 }

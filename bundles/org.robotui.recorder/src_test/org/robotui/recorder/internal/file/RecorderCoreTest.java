@@ -17,7 +17,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
+import java.util.Set;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.stream.Collectors;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -36,6 +38,8 @@ import org.robotui.recording.RecordedSchema;
 import org.robotui.recording.RecordingException;
 import org.robotui.recording.RecordingReader;
 import org.robotui.recording.RecordingWriter;
+import org.robotui.recording.Recordings;
+import org.robotui.recording.ScanProgress;
 import org.robotui.testkit.FakeAuthority;
 import org.robotui.testkit.host.FakeHost;
 
@@ -157,6 +161,10 @@ class RecorderCoreTest {
     assertEquals(List.of("map"), texts(file, "/map"));
     assertEquals(List.of("new"), texts(file, "/scan"));
     assertEquals(List.of("fixed"), texts(file, "/tf_static"));
+    try (RecordingReader recording = Recordings.open(file, ScanProgress.NONE)) {
+      assertEquals(Set.of("/map", "/tf_static"), recording.channels().stream().filter(RecordedChannel::isLatched)
+          .map(RecordedChannel::topic).collect(Collectors.toSet()));
+    }
   }
 
   @Test

@@ -15,14 +15,6 @@ import org.robotui.recording.RecordedChannel;
  */
 public record PlayedChannel(RecordedChannel channel, String topic, PayloadFormat format, long count) {
   static final String SENDER = "callerid";
-  private static final String QOS = "offered_qos_profiles";
-
-  /** Whether its publisher kept the last message for those who came later. */
-  boolean isKept() {
-    String qos = channel.metadata().getOrDefault(QOS, "").replace(" ", "");
-    return channel.metadata().getOrDefault("latching", "").equals("1") || qos.contains("durability:1")
-        || qos.contains("durability:transient_local");
-  }
 
   /** Its definition as a text; descriptors are no text that users read. */
   Optional<String> definition() {

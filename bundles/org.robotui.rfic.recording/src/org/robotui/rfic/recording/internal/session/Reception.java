@@ -118,7 +118,7 @@ final class Reception<M> implements TopicSubscription {
   /** Gives a message of one of its channels to who wants it. */
   void deliver(RecordedMessage recorded, long receivedNanos) {
     Read<M> read = channels.get(recorded.channel().id());
-    Arrival arrival = new Arrival(read.channel().sender(file), receivedNanos, read.channel().isKept(),
+    Arrival arrival = new Arrival(read.channel().sender(file), receivedNanos, read.channel().channel().isLatched(),
         recorded.channel().messageEncoding(), recorded.data().asReadOnlyBuffer(),
         bytes -> record(read.channel(), bytes));
     M message;

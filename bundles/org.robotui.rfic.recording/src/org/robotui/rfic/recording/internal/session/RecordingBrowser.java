@@ -50,7 +50,7 @@ final class RecordingBrowser implements Browser {
     facts.put("a second", seconds > 0 ? RecordingWords.number(count / seconds) : "not known");
     facts.put("encoding", first.channel().messageEncoding());
     facts.put("channels", Integer.toString(channels.size()));
-    facts.put("latched", first.isKept() ? "yes" : "no");
+    facts.put("latched", first.channel().isLatched() ? "yes" : "no");
     channels.stream().flatMap(each -> each.format().obstacle().stream()).findFirst()
         .ifPresent(reason -> facts.put("definition", reason));
     first.channel().metadata().forEach(facts::putIfAbsent);
