@@ -11,7 +11,7 @@ import time
 
 from conftest import ROOT, Processes, Robot, start_simulator, wait_for
 from desktop import DARK, LIGHT, NAVIGATOR, Keys, Motion, Picture, Window, missing, output
-from playback import RECORDING, Bar
+from playback import Bar
 from test_install import Served, sample_sites
 from test_new_robot import Form
 from views import MANIPULATOR, Views
@@ -34,6 +34,12 @@ TWO_FACES = "simulator: [{{robot: keira, speaks: [ros, player]}}]\nruics:\n  Kei
 OF_VIEWS = {"scene-mobile-dark.png": "scene3d", "frames-dark.png": "tftree", "graph-dark.png": "graph"}
 DEMO = {*OF_VIEWS, "workbench-dark.png", "ros-inspect-dark.png", "workbench-light.png", "ros-plot-light.png"}
 KNOWN = {*CONFIGURED, *CONTROLLED, EXCHANGE, NEW_ROBOT, INSTALL, PLAYED, *DEMO}
+DRIVE = """
+use("Natalie"); waitForLink(); waitFor(() => value("base.scan") && value("base.map"), 20); takeControl();
+startRecording("FILE", {robots: ["Natalie"]});
+for (let i = 0; i < 4; i++) { drive(0.35, 0, 3); drive(0.1, i % 2 ? 0.5 : -0.5, 2); }
+stopRecording();
+"""
 # Across the building, so that it drives for a while.
 GOAL = "{header: {frame_id: map}, pose: {position: {x: 11.5, y: 7.2}, orientation: {w: 1}}}"
 BACK = "{header: {frame_id: map}, pose: {position: {x: 3.4, y: 7.0}, orientation: {z: 0.7, w: 0.7}}}"
@@ -215,8 +221,11 @@ def install(processes, environment):
 
 
 def recording(processes, environment):
-    """A recording that plays, with its topics."""
-    window = Window(processes.start([ROOT / "robotui", "run", "--theme", "dark", RECORDING], "recording", environment))
+    """A recording of the simulated robot that plays, with its topics: it is made first, on a drive through the room."""
+    (processes.folder / "drive.js").write_text(DRIVE.replace("FILE", str(processes.folder / "natalie.mcap")), encoding="utf-8")
+    recorded = processes.start([ROOT / "robotui", "run", ROOT / "configs/demo.yaml", "--script", processes.folder / "drive.js", "--text"], "record", environment)
+    assert recorded.wait(timeout=120) == 0, recorded.err.read_text()
+    window = Window(processes.start([ROOT / "robotui", "run", "--theme", "dark", processes.folder / "natalie.mcap"], "recording", environment))
     bar = Bar(window)
     bar.expand()
     window.move((NAVIGATOR + 400, 700))         # away from the button and its tooltip
