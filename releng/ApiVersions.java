@@ -130,7 +130,8 @@ public final class ApiVersions {
       members.add(name + " may be extended");
     }
     if (type.getKind() == Tree.Kind.RECORD) {
-      members.add(name + components(type));
+      components(type).forEach(field -> members.add(name + "." + field.getName() + "(): " + field.getType()));
+      members.add(name + named(components(type)));
     }
     boolean open = type.getKind() == Tree.Kind.INTERFACE || type.getKind() == Tree.Kind.ANNOTATION_TYPE;
     type.getMembers().forEach(member -> member(name, type, member, open, members));
@@ -140,6 +141,7 @@ public final class ApiVersions {
     switch (member) {
       case ClassTree inner when isOpen(inner.getModifiers(), open) -> type(owner + ".", inner, members);
       case MethodTree method when isCanonical(type, method) -> {}
+      case MethodTree method when isMade(type, method) -> members.add(owner + named(method.getParameters().stream()));
       case MethodTree method when isOpen(method.getModifiers(), open) -> members.add(method(owner, method));
       case VariableTree field when isComponent(type, field) -> {}
       case VariableTree field when isOpen(field.getModifiers(), open) -> members.add(fixed(field.getModifiers()) + owner
@@ -156,9 +158,13 @@ public final class ApiVersions {
         + arguments + result;
   }
 
-  private static String components(ClassTree type) {
+  private static Stream<VariableTree> components(ClassTree type) {
     return type.getMembers().stream().filter(VariableTree.class::isInstance).map(VariableTree.class::cast)
-        .filter(field -> isComponent(type, field)).map(field -> field.getType() + " " + field.getName())
+        .filter(field -> isComponent(type, field));
+  }
+
+  private static String named(Stream<? extends VariableTree> variables) {
+    return variables.map(variable -> variable.getType() + " " + variable.getName())
         .collect(Collectors.joining(", ", "(", ")"));
   }
 
@@ -173,9 +179,13 @@ public final class ApiVersions {
   /** Whether it is what a record has in any case, written or not. */
   private static boolean isCanonical(ClassTree type, MethodTree method) {
     return type.getKind() == Tree.Kind.RECORD && method.getName().contentEquals("<init>")
-        && types(method.getParameters().stream())
-            .equals(types(type.getMembers().stream().filter(VariableTree.class::isInstance)
-                .map(VariableTree.class::cast).filter(field -> isComponent(type, field))));
+        && types(method.getParameters().stream()).equals(types(components(type)));
+  }
+
+  /** Whether it makes a record of fewer things: one that was extended can still be made as before. */
+  private static boolean isMade(ClassTree type, MethodTree method) {
+    return type.getKind() == Tree.Kind.RECORD && method.getName().contentEquals("<init>")
+        && isOpen(method.getModifiers(), false);
   }
 
   private static List<String> types(Stream<? extends VariableTree> variables) {

@@ -228,7 +228,7 @@ def recording(processes, environment):
     window = Window(processes.start([ROOT / "robotui", "run", "--theme", "dark", processes.folder / "natalie.mcap"], "recording", environment))
     bar = Bar(window)
     bar.expand()
-    window.move((NAVIGATOR + 400, 700))         # away from the button and its tooltip
+    window.move((NAVIGATOR + 400, bar.height - 8))    # away from the button and its tooltip, and from all that answers
     wait_for(lambda: (bar.position() or 0) > bar.at(0.3)[0], seconds=60, what="a way gone")
     save(window, PLAYED)
     window.close()

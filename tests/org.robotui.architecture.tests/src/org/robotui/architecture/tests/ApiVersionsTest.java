@@ -68,4 +68,18 @@ class ApiVersionsTest {
         """, compared("1.2.0", now));
     assertEquals("1 exported packages: each version says what has changed\n", compared("1.3.0", now));
   }
+
+  @Test
+  void a_record_that_can_be_made_as_before_takes_a_minor_version() throws Exception {
+    String now = BEFORE.replace("record Pose(double x, double y) {}",
+        "record Pose(double x, double y, double z) {\n    public Pose(double x, double y) {\n      this(x, y, 0);\n    }\n  }");
+
+    assertEquals("1 exported packages: each version says what has changed\n", compared("1.3.0", now));
+    assertEquals("""
+        org.robotui.api was 1.2.0 and is 1.2.0; it must be 1.3.0, as this was added:
+            Robot.Pose(double x, double y, double z)
+            Robot.Pose.z(): double
+        1 of 1 exported packages need another version
+        """, compared("1.2.0", now));
+  }
 }
