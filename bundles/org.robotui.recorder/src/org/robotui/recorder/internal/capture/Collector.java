@@ -1,5 +1,6 @@
 package org.robotui.recorder.internal.capture;
 
+import java.time.Duration;
 import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.List;
@@ -16,6 +17,7 @@ import org.robotui.api.host.Ruic;
 import org.robotui.api.port.PortKind;
 import org.robotui.api.port.SourceId;
 import org.robotui.api.record.RecordingChoice;
+import org.robotui.net.thread.Uninterruptibles;
 import org.robotui.recorder.internal.capture.HeadTable.Place;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -29,6 +31,7 @@ public final class Collector implements AutoCloseable {
   private static final Principal WHO = new Principal("recorder", "The recorder", Principal.Kind.SCRIPT);
   private static final long SCAN_NANOS = 300_000_000L;
   private static final long LONGEST_PAUSE = 50_000_000L;
+  private static final Duration END = Duration.ofSeconds(10);
 
   private record TapKey(Ruic ruic, SourceId port) {}
 
@@ -143,16 +146,8 @@ public final class Collector implements AutoCloseable {
     closed = true;
     faults.close();
     LockSupport.unpark(thread);
-    boolean interrupted = false;
-    while (thread.isAlive() && Thread.currentThread() != thread) {
-      try {
-        thread.join();
-      } catch (InterruptedException e) {
-        interrupted = true;
-      }
-    }
-    if (interrupted) {
-      Thread.currentThread().interrupt();
+    if (Thread.currentThread() != thread) {
+      Uninterruptibles.await(System.nanoTime() + END.toNanos(), nanos -> thread.join(Duration.ofNanos(nanos)));
     }
   }
 }

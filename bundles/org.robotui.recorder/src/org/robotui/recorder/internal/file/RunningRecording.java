@@ -2,6 +2,7 @@ package org.robotui.recorder.internal.file;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
@@ -10,6 +11,7 @@ import java.util.function.Consumer;
 import org.robotui.api.host.Host;
 import org.robotui.api.record.RecordingPlan;
 import org.robotui.api.record.RecordingStatus;
+import org.robotui.net.thread.Uninterruptibles;
 import org.robotui.recorder.internal.capture.Captured;
 import org.robotui.recorder.internal.capture.Collector;
 import org.robotui.recorder.internal.capture.StreamHead;
@@ -24,6 +26,7 @@ public final class RunningRecording {
   private static final long MOST_WAITING = 64L << 20;
   private static final long POLL_MILLIS = 100;
   private static final long LOOK_NANOS = 1_000_000_000L;
+  private static final Duration END = Duration.ofMinutes(1);
 
   /**
    * What recordings need.
@@ -152,20 +155,12 @@ public final class RunningRecording {
     ended.accept(reason);
   }
 
-  /** Ends it and waits until its files are whole. */
+  /** Ends it and waits until its files are whole, for a disk that hangs no longer than a minute. */
   void stop() {
     collector.close();
     queue.end();
-    boolean interrupted = false;
-    while (writer.isAlive() && Thread.currentThread() != writer) {
-      try {
-        writer.join();
-      } catch (InterruptedException e) {
-        interrupted = true;
-      }
-    }
-    if (interrupted) {
-      Thread.currentThread().interrupt();
+    if (Thread.currentThread() != writer) {
+      Uninterruptibles.await(System.nanoTime() + END.toNanos(), nanos -> writer.join(Duration.ofNanos(nanos)));
     }
   }
 

@@ -5,10 +5,9 @@ import org.eclipse.swt.SWT;
 import org.eclipse.swt.custom.StyleRange;
 import org.eclipse.swt.custom.StyledText;
 import org.eclipse.swt.widgets.Composite;
-import org.robotui.ui.Face;
 import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
-import org.robotui.ui.control.Boxes;
+import org.robotui.ui.control.ReadText;
 import org.robotui.uic.console.internal.model.ConsoleLine;
 import org.robotui.uic.console.internal.model.Transcript;
 
@@ -23,17 +22,8 @@ final class OutputText {
 
   OutputText(Composite parent, Theme theme) {
     this.theme = theme;
-    text = Boxes.ownColours(new StyledText(parent, SWT.READ_ONLY | SWT.MULTI | SWT.WRAP | SWT.V_SCROLL));
-    text.setAlwaysShowScrollBars(false);
-    text.setFont(theme.font(Face.FIGURES));
-    text.setBackground(theme.color(Role.PANEL));
-    text.setForeground(theme.color(Role.TEXT));
-    text.setSelectionBackground(theme.mix(Role.ACCENT, Role.PANEL, 0.3));
-    text.setSelectionForeground(theme.color(Role.TEXT));
-    text.setMargins(Theme.EDGE, 2 * Theme.STEP, Theme.EDGE, 2 * Theme.STEP);
+    text = ReadText.in(parent, theme, SWT.WRAP);
     text.setLineSpacing(LINE_GAP);
-    text.setCaret(null);
-    text.addListener(SWT.Traverse, e -> e.doit = true);
   }
 
   StyledText control() {

@@ -10,9 +10,9 @@ import org.eclipse.swt.custom.StyleRange;
 import org.eclipse.swt.custom.StyledText;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
-import org.robotui.ui.Face;
 import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
+import org.robotui.ui.control.ReadText;
 
 /** The definition of a type, with comments, types and constants in quiet colours. Display thread. */
 final class DefinitionText {
@@ -27,16 +27,7 @@ final class DefinitionText {
 
   DefinitionText(Composite parent, Theme theme) {
     this.theme = theme;
-    text = new StyledText(parent, SWT.READ_ONLY | SWT.MULTI | SWT.V_SCROLL | SWT.H_SCROLL);
-    text.setAlwaysShowScrollBars(false);
-    text.setFont(theme.font(Face.FIGURES));
-    text.setBackground(theme.color(Role.PANEL));
-    text.setForeground(theme.color(Role.TEXT));
-    text.setSelectionBackground(theme.mix(Role.ACCENT, Role.PANEL, 0.3));
-    text.setSelectionForeground(theme.color(Role.TEXT));
-    text.setMargins(Theme.EDGE, 2 * Theme.STEP, Theme.EDGE, 2 * Theme.STEP);
-    text.setCaret(null);
-    text.addListener(SWT.Traverse, e -> e.doit = true);
+    text = ReadText.in(parent, theme, SWT.H_SCROLL);
   }
 
   Control control() {
