@@ -16,7 +16,7 @@ LIGHT = {"ground": 0xf2f4f7, "panel": 0xffffff, "text": 0x1f2730, "accent": 0x0b
          "laser": 0xd1491c}
 TOP_BAR = 44
 NAVIGATOR = 200
-LEASE = 190
+LEASE, RECORD = 190, 145                            # with what is between them
 
 
 def missing():
@@ -126,9 +126,9 @@ class Window:
         return picture.middle(DARK["bad"], picture.width // 2, 0, picture.width, TOP_BAR)
 
     def release_button(self):
-        """Where it is, while a stop is latched: what is between search and lease."""
+        """Where it is, while a stop is latched: what is between search and record."""
         picture = self.picture()
-        right = self._left_of_stop(picture) - LEASE - 20
+        right = self._left_of_stop(picture) - LEASE - RECORD - 20
         bar = picture.pixels[4:TOP_BAR - 4, right - 90:right].astype(int)
         rows, columns = numpy.nonzero(numpy.abs(bar - bar[0, 0]).max(axis=2) > 60)
         return (int(numpy.median(columns)) + right - 90, int(numpy.median(rows)) + 4) if len(columns) > 50 else None
