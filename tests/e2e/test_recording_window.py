@@ -1,4 +1,6 @@
 """Recordings that are named in place of a configuration: views that fit, and a bar by which they are moved in time."""
+import time
+
 import pytest
 
 from conftest import Robot, start_robotui, wait_for
@@ -30,6 +32,7 @@ def test_views_show_what_was_at_the_time_to_which_the_pointer_is_dragged(nobody)
         pytest.skip(f"tests in a window need {missing()}")
     window = Window.open(nobody, RECORDING)
     bar = Bar(window)
+    wait_for(lambda: len(scan(window)) > 30, what="a scan on the map")
 
     window.click(bar.at(0.3))
     wait_for(lambda: (bar.position() or 0) > bar.at(0.3)[0] + CLOSE, what="the recording to play")
@@ -43,6 +46,7 @@ def test_views_show_what_was_at_the_time_to_which_the_pointer_is_dragged(nobody)
     there = wait_for(lambda: steady_scan(window, unlike=before), what="another scan")
 
     bar.drag(0.7, 0.3)
+    wait_for(lambda: bar.is_at(0.3), what="the position where the pointer was dragged back")
     wait_for(lambda: alike(scan(window), before) > 0.5, what="the scan of the first time again")
     assert alike(there, before) < 0.5
 
@@ -51,8 +55,10 @@ def test_views_show_what_was_at_the_time_to_which_the_pointer_is_dragged(nobody)
 
 
 def steady_scan(window, unlike=frozenset()):
-    """The pixels of the laser, when two looks see the same."""
-    first, second = scan(window), scan(window)
+    """The pixels of the laser, when two looks see the same: the map fits in what it knows, and begins anew where more comes."""
+    first = scan(window)
+    time.sleep(1)
+    second = scan(window)
     return first if len(first) > 30 and alike(first, second) > 0.95 and alike(first, unlike) < 0.5 else None
 
 

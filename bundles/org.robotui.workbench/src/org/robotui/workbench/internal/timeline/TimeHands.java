@@ -42,10 +42,7 @@ final class TimeHands {
     listen(SWT.MouseDown, this::down);
     listen(SWT.MouseMove, this::move);
     listen(SWT.MouseEnter, this::move);
-    listen(SWT.MouseUp, e -> {
-      scrubbing = false;
-      panned = OptionalInt.empty();
-    });
+    listen(SWT.MouseUp, this::up);
     listen(SWT.Traverse,
         e -> e.doit = e.detail == SWT.TRAVERSE_TAB_NEXT || e.detail == SWT.TRAVERSE_TAB_PREVIOUS);
     listen(SWT.MouseExit, e -> point(OptionalInt.empty()));
@@ -74,6 +71,15 @@ final class TimeHands {
       scrubbing = true;
       seek.to(scale().time(event.x));
     }
+  }
+
+  /** What counts is where it was let go: on a busy desktop the last move may not have come. */
+  private void up(Event event) {
+    if (scrubbing && event.button == 1) {
+      seek.to(scale().time(event.x));
+    }
+    scrubbing = false;
+    panned = OptionalInt.empty();
   }
 
   private void move(Event event) {
