@@ -1,8 +1,10 @@
 package org.robotui.message.payload;
 
 import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.util.Map;
 import java.util.Optional;
+import org.robotui.data.array.Bytes;
 import org.robotui.data.record.DynamicRecord;
 import org.robotui.data.record.RecordShape;
 import org.robotui.message.MessageSchema;
@@ -62,6 +64,20 @@ public interface PayloadFormat {
    */
   default DynamicRecord read(ByteBuffer payload) {
     return reading(new MessageForm.ByFields()).read(payload);
+  }
+
+  /**
+   * A message by the names of its fields, where it can be read.
+   *
+   * @param bytes the whole message
+   * @return its fields, or none where it cannot be read
+   */
+  default Optional<DynamicRecord> record(Bytes bytes) {
+    try {
+      return Optional.of(read(bytes.buffer(ByteOrder.LITTLE_ENDIAN)));
+    } catch (IllegalArgumentException e) {
+      return Optional.empty();
+    }
   }
 
   /**

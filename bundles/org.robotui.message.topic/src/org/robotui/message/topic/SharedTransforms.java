@@ -58,7 +58,7 @@ public final class SharedTransforms {
     feeds.add(feed);
     namespaces.add(feed.namespace());
     fixed.values().forEach(f -> feed.received(new TFMessage(List.of(f.transform())), f.sender(), true,
-        Optional.empty()));
+        System.nanoTime(), Optional.empty()));
   }
 
   /**
@@ -80,26 +80,16 @@ public final class SharedTransforms {
    * @param message the transforms
    * @param sender who said them
    * @param forGood whether they hold for good
-   */
-  public void heard(TFMessage message, String sender, boolean forGood) {
-    heard(message, sender, forGood, Optional.empty());
-  }
-
-  /**
-   * What the one that listens hears.
-   *
-   * @param message the transforms
-   * @param sender who said them
-   * @param forGood whether they hold for good
+   * @param receiveNanos when they were received, {@link System#nanoTime()}
    * @param raw the message as it came; none where it did not come as one
    */
-  public void heard(TFMessage message, String sender, boolean forGood, Optional<RawMessage> raw) {
+  public void heard(TFMessage message, String sender, boolean forGood, long receiveNanos, Optional<RawMessage> raw) {
     if (forGood) {
       raw.ifPresent(came -> held.note(message, came));
       message.transforms().stream().filter(t -> fixed.size() < MOST_FIXED || fixed.containsKey(t.childFrameId()))
           .forEach(t -> fixed.put(t.childFrameId(), new Fixed(t, sender)));
     }
-    feeds.forEach(feed -> feed.received(message, sender, forGood, raw));
+    feeds.forEach(feed -> feed.received(message, sender, forGood, receiveNanos, raw));
   }
 
   /**

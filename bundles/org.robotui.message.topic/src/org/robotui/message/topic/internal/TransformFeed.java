@@ -72,7 +72,7 @@ public final class TransformFeed implements AutoCloseable {
 
   private void subscribe(boolean fixed) {
     subscriptions.add(subscribe(topic(fixed),
-        (message, arrival) -> shared.heard(message, arrival.sender(), fixed, raw(arrival))));
+        (message, arrival) -> shared.heard(message, arrival.sender(), fixed, arrival.receiveNanos(), raw(arrival))));
   }
 
   private TopicSubscription subscribe(String topic, BiConsumer<TFMessage, Arrival> taking) {
@@ -106,7 +106,7 @@ public final class TransformFeed implements AutoCloseable {
     if (fixed) {
       raw.ifPresent(came -> held.note(message, came));
     }
-    received(message, arrival.sender(), fixed, raw);
+    received(message, arrival.sender(), fixed, arrival.receiveNanos(), raw);
   }
 
   /** Not all that says where things are comes as a message of its own. */
@@ -137,14 +137,14 @@ public final class TransformFeed implements AutoCloseable {
    * @param all what was said
    * @param sender who said it
    * @param fixed whether it holds for good
+   * @param receiveNanos when it was received, {@link System#nanoTime()}
    * @param raw the message as it came, of all robots; none where it did not come as one
    */
-  public void received(TFMessage all, String sender, boolean fixed, Optional<RawMessage> raw) {
+  public void received(TFMessage all, String sender, boolean fixed, long receiveNanos, Optional<RawMessage> raw) {
     List<TransformStamped> own = all.transforms().stream().filter(t -> concerns(t.childFrameId())).toList();
     if (own.isEmpty()) {
       return;
     }
-    long nanos = System.nanoTime();
     TFMessage message = new TFMessage(own);
     FrameNames names = scope.clock().names();
     Optional<TransformSet> good = StateAdapters.transforms(message, names, fixed);
@@ -155,7 +155,8 @@ public final class TransformFeed implements AutoCloseable {
     }
     good.ifPresent(set -> {
       scope.context().frames().add(set, sender);
-      publication.publish(set, scope.clock().stamp(set.transforms().getFirst().stamp().nanos(), names), nanos, raw);
+      publication.publish(set, scope.clock().stamp(set.transforms().getFirst().stamp().nanos(), names), receiveNanos,
+          raw);
     });
   }
 

@@ -18,6 +18,7 @@ import org.robotui.api.replay.TimeRange;
 import org.robotui.api.replay.Timeline.LaneId;
 import org.robotui.data.ClockKind;
 import org.robotui.data.Stamp;
+import org.robotui.data.geometry.TransformSet;
 import org.robotui.data.navigation.Odometry;
 import org.robotui.recording.RecordingException;
 import org.robotui.testkit.FakeRficContext;
@@ -127,6 +128,23 @@ class PlaybackTest {
     assertTrue(context.transforms.stream().anyMatch(t -> t.fixed() && t.child().name().equals("laser")));
     assertTrue(context.transforms.stream().anyMatch(t -> t.stamp().nanos() == time(5.1)));
     assertTrue(context.transforms.stream().filter(t -> !t.fixed()).noneMatch(t -> t.stamp().nanos() > time(8)));
+  }
+
+  @Test
+  void transformsAreAsOldAsTheyAreInTheRecording() {
+    FakeRficContext context = open(STANDING);
+    bench.seek(8);
+    PlayBench.await(() -> "transforms: " + context.transforms.size(), () -> received(context, 8).isPresent());
+    double apart = (received(context, 8).orElseThrow() - received(context, 5.1).orElseThrow()) * 1e-9;
+    assertTrue(apart > 2.8 && apart < 30, "received " + apart + " s apart");
+  }
+
+  /** When the transforms of a time are said to have been received. */
+  private Optional<Long> received(FakeRficContext context, double seconds) {
+    return context.published.get("tf").stream()
+        .filter(each -> ((TransformSet) each.value()).transforms().stream()
+            .anyMatch(t -> !t.fixed() && t.stamp().nanos() == time(seconds)))
+        .map(each -> each.receivedNanos()).findFirst();
   }
 
   @Test

@@ -1,7 +1,6 @@
 package org.robotui.rfic.foxglove.internal.session;
 
 import java.nio.ByteBuffer;
-import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.Base64;
 import java.util.HashMap;
@@ -12,7 +11,6 @@ import java.util.Set;
 import java.util.function.Consumer;
 import org.robotui.api.port.RawDefinition;
 import org.robotui.data.array.Bytes;
-import org.robotui.data.record.DynamicRecord;
 import org.robotui.foxglove.FoxgloveClient;
 import org.robotui.foxglove.ServerChannel;
 import org.robotui.message.payload.PayloadFormat;
@@ -90,7 +88,7 @@ final class TopicReception<M> implements TopicSubscription {
 
   private void received(Offered offered, PayloadFormat.Reading<M> reading, ByteBuffer payload, long receivedNanos) {
     Arrival arrival = new Arrival(wanted.sender(), receivedNanos, false, offered.channel().encoding(),
-        payload.asReadOnlyBuffer(), bytes -> record(offered, bytes), offered.channel().topic(),
+        payload.asReadOnlyBuffer(), offered.format()::record, offered.channel().topic(),
         () -> definition(offered.channel()));
     M message;
     try {
@@ -123,14 +121,6 @@ final class TopicReception<M> implements TopicSubscription {
       case "json" -> "jsonschema";
       default -> channel.encoding();
     };
-  }
-
-  private static Optional<DynamicRecord> record(Offered offered, Bytes bytes) {
-    try {
-      return Optional.of(offered.format().read(bytes.buffer(ByteOrder.LITTLE_ENDIAN)));
-    } catch (IllegalArgumentException e) {
-      return Optional.empty();
-    }
   }
 
   /** Why nothing comes, empty where nothing is known to be wrong. */

@@ -5,7 +5,6 @@ import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ThreadFactory;
-import java.util.concurrent.atomic.AtomicLong;
 import org.robotui.api.RficContext;
 import org.robotui.api.frame.FrameSink;
 import org.robotui.api.link.LinkReporter;
@@ -24,7 +23,6 @@ import org.robotui.api.time.ClockSource;
 import org.robotui.data.Conflation;
 import org.robotui.data.Data;
 import org.robotui.data.DataType;
-import org.robotui.data.geometry.TransformSet;
 import org.robotui.data.joint.RobotDescription;
 import org.robotui.data.marker.InteractiveMarkerSet;
 
@@ -34,10 +32,8 @@ import org.robotui.data.marker.InteractiveMarkerSet;
  *
  * @param core what core gives
  * @param streams what is published, by port
- * @param received when the message was received that is being delivered
  */
-record PlayedContext(RficContext core, Map<String, Stream> streams, AtomicLong received)
-    implements RficContext, Offers {
+record PlayedContext(RficContext core, Map<String, Stream> streams) implements RficContext, Offers {
   /** A stream, and whether its values are merged. */
   record Stream(Publication<?> publication, boolean merged) {}
 
@@ -62,7 +58,7 @@ record PlayedContext(RficContext core, Map<String, Stream> streams, AtomicLong r
   };
 
   PlayedContext(RficContext core) {
-    this(core, new ConcurrentHashMap<>(), new AtomicLong());
+    this(core, new ConcurrentHashMap<>());
   }
 
   @Override
@@ -112,7 +108,7 @@ record PlayedContext(RficContext core, Map<String, Stream> streams, AtomicLong r
     if (!ONCE.contains(type.type())) {
       streams.put(port.name(), new Stream(made, type.conflation() == Conflation.KEYED));
     }
-    return type.type() == TransformSet.class ? new TimedStream<>(made, received::get) : made;
+    return made;
   }
 
   @Override

@@ -1,16 +1,12 @@
 package org.robotui.rfic.recording.internal.session;
 
 import java.nio.ByteBuffer;
-import java.nio.ByteOrder;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.function.Consumer;
 import org.robotui.data.Conflation;
 import org.robotui.data.DataType;
-import org.robotui.data.array.Bytes;
-import org.robotui.data.record.DynamicRecord;
 import org.robotui.message.data.Adapter;
 import org.robotui.message.data.Adapters;
 import org.robotui.message.data.MessageForm;
@@ -120,7 +116,7 @@ final class Reception<M> implements TopicSubscription {
     Read<M> read = channels.get(recorded.channel().id());
     Arrival arrival = new Arrival(read.channel().sender(file), receivedNanos, read.channel().channel().isLatched(),
         recorded.channel().messageEncoding(), recorded.data().asReadOnlyBuffer(),
-        bytes -> record(read.channel(), bytes));
+        read.channel().format()::record);
     M message;
     try {
       message = read.reading().read(recorded.data().duplicate());
@@ -129,14 +125,6 @@ final class Reception<M> implements TopicSubscription {
       return;
     }
     listener.received(message, arrival);
-  }
-
-  private static Optional<DynamicRecord> record(PlayedChannel channel, Bytes bytes) {
-    try {
-      return Optional.of(channel.format().read(bytes.buffer(ByteOrder.LITTLE_ENDIAN)));
-    } catch (IllegalArgumentException e) {
-      return Optional.empty();
-    }
   }
 
   @Override
