@@ -3,6 +3,7 @@ package org.robotui.core.internal.host;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.Properties;
+import java.util.function.UnaryOperator;
 import org.robotui.api.config.UserFolder;
 import org.robotui.core.internal.config.Checksum;
 
@@ -20,19 +21,21 @@ public record StateFolder(Path path) {
     return new StateFolder(UserFolder.state(properties, environment));
   }
 
-  /** The file for changes to one configuration: two files of one name in two folders have two. */
+  /** The file for changes to one configuration. */
   Path overlay(Path configuration) {
-    Path absolute = configuration.toAbsolutePath().normalize();
-    String name = absolute.getFileName().toString().replaceFirst("\\.ya?ml$", "");
-    return path.resolve("overlays").resolve(name + "-" + Checksum.of(absolute.toString()) + ".yaml");
+    return kept("overlays", configuration, name -> name.replaceFirst("\\.ya?ml$", ""));
   }
 
-  /** The configuration that is kept for a file that was opened: two files of one name in two folders have two. */
+  /** The configuration that is kept for a file that was opened. */
   Path opened(Path file) {
+    return kept("opened", file, name -> name.substring(0, Math.min(LONGEST_NAME, name.length())));
+  }
+
+  /** Two files of one name in two folders have two. */
+  private Path kept(String folder, Path file, UnaryOperator<String> shorter) {
     Path absolute = file.toAbsolutePath().normalize();
-    String name = absolute.getFileName().toString();
-    return path.resolve("opened").resolve(
-        name.substring(0, Math.min(LONGEST_NAME, name.length())) + "-" + Checksum.of(absolute.toString()) + ".yaml");
+    return path.resolve(folder).resolve(
+        shorter.apply(absolute.getFileName().toString()) + "-" + Checksum.of(absolute.toString()) + ".yaml");
   }
 
   /** Where robot interfaces may keep files. */

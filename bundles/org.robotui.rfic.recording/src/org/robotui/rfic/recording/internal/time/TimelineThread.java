@@ -1,6 +1,7 @@
 package org.robotui.rfic.recording.internal.time;
 
 import java.time.Duration;
+import org.robotui.api.RficWorker;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -37,10 +38,6 @@ final class TimelineThread {
   void end(Runnable wake) {
     ended = true;
     wake.run();
-    try {
-      thread.join(PATIENCE);
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-    }
+    RficWorker.join(thread, System.nanoTime() + PATIENCE.toNanos());
   }
 }
