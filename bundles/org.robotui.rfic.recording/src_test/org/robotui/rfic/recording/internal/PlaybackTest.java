@@ -14,6 +14,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.robotui.api.link.LinkState;
+import org.robotui.api.port.RawOrigin;
 import org.robotui.api.replay.TimeRange;
 import org.robotui.api.replay.Timeline.LaneId;
 import org.robotui.data.ClockKind;
@@ -128,6 +129,17 @@ class PlaybackTest {
     assertTrue(context.transforms.stream().anyMatch(t -> t.fixed() && t.child().name().equals("laser")));
     assertTrue(context.transforms.stream().anyMatch(t -> t.stamp().nanos() == time(5.1)));
     assertTrue(context.transforms.stream().filter(t -> !t.fixed()).noneMatch(t -> t.stamp().nanos() > time(8)));
+  }
+
+  @Test
+  void messagesSayTheirTopicAndDefinitionToWhoRecordsThemAgain() {
+    FakeRficContext context = open(STANDING, ODOM);
+    bench.seek(4);
+    PlayBench.awaitX(context, ODOM, 4);
+    RawOrigin origin = context.published.get(ODOM).getLast().raw().orElseThrow().origin();
+    assertEquals("/odom", origin.topic());
+    assertEquals("nav_msgs/msg/Odometry ros2msg", origin.definition().get()
+        .map(each -> each.name() + " " + each.encoding()).orElseThrow());
   }
 
   @Test

@@ -2,8 +2,11 @@ package org.robotui.rfic.recording.internal.session;
 
 import java.nio.charset.StandardCharsets;
 import java.util.Optional;
+import org.robotui.api.port.RawDefinition;
+import org.robotui.data.array.Bytes;
 import org.robotui.message.payload.PayloadFormat;
 import org.robotui.recording.RecordedChannel;
+import org.robotui.recording.RecordedSchema;
 
 /**
  * A channel of a recording and how its messages are read.
@@ -20,6 +23,13 @@ public record PlayedChannel(RecordedChannel channel, String topic, PayloadFormat
   Optional<String> definition() {
     return Optional.of(new String(channel.schema().definition(), StandardCharsets.UTF_8))
         .filter(text -> !text.isBlank() && !channel.messageEncoding().equals("protobuf"));
+  }
+
+  /** Its definition as it was recorded, for who records it again. */
+  Optional<RawDefinition> recordedDefinition() {
+    RecordedSchema schema = channel.schema();
+    return schema.equals(RecordedSchema.NONE) ? Optional.empty()
+        : Optional.of(new RawDefinition(schema.name(), schema.encoding(), Bytes.of(schema.definition())));
   }
 
   /** Who is said to have sent its messages. */

@@ -116,7 +116,7 @@ final class Reception<M> implements TopicSubscription {
     Read<M> read = channels.get(recorded.channel().id());
     Arrival arrival = new Arrival(read.channel().sender(file), receivedNanos, read.channel().channel().isLatched(),
         recorded.channel().messageEncoding(), recorded.data().asReadOnlyBuffer(),
-        read.channel().format()::record);
+        read.channel().format()::record, recorded.channel().topic(), read.channel()::recordedDefinition);
     M message;
     try {
       message = read.reading().read(recorded.data().duplicate());
