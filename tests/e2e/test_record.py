@@ -65,7 +65,9 @@ def test_robots_of_three_frameworks_are_in_one_file(processes, environment, tmp_
 def test_a_recording_that_is_killed_becomes_whole(processes, environment, tmp_path):
     file, whole = tmp_path / "killed.mcap", tmp_path / "whole.mcap"
     recording = record(processes, environment, "ros2-demo", file, "--ports", "odom", "--ports", "scan", "--ports", "tf")
-    wait_for(lambda: last(recording).get("messages", 0) > 200, what="some messages")
+    wait_for(lambda: last(recording).get("channels", 0) >= 5, what="all topics, and what RobotUI says itself")
+    begun = last(recording)["seconds"]
+    wait_for(lambda: last(recording)["messages"] > 200 and last(recording)["seconds"] > begun + 2, what="more than may be lost of each")
     told = [line for line in json_lines(recording)]
     kill_all_of(recording)
 
