@@ -1,6 +1,7 @@
 # Tests: all runners, one closing line.
 
 readonly E2E=$ROOT/tests/e2e
+readonly ENDED_JAVAS=$LOGS/unit-tests-ended.txt      # tools/unit-tests/bin/java writes it
 
 cmd_test() {
   local part=all
@@ -63,9 +64,19 @@ test_with_maven() {
   esac
   say "Building and testing ($1)"
   three_at_a_time arguments
-  maven "$LOGS/test.log" verify "${arguments[@]}" || { broken="the build"; return 0; }
+  rm -f "$ENDED_JAVAS"
+  maven "$LOGS/test.log" verify "${arguments[@]}" || { broken="the build"; say_ended_javas; return 0; }
   # The end-to-end tests run the products that this has made.
   [[ -z $stamp ]] || finish_products "$stamp"
+}
+
+# A Java that crashes says why in a file, which a machine that is thrown away takes with it.
+say_ended_javas() {
+  [[ ! -s $ENDED_JAVAS ]] || cat "$ENDED_JAVAS" >&2
+  local crash
+  for crash in "$ROOT"/bundles/*/hs_err_pid*.log "$ROOT"/tests/*/hs_err_pid*.log; do
+    [[ ! -e $crash ]] || { say "  $crash"; sed -n '/^# *$/d; /^#/p; /^Current thread/,/^$/p; /^Native frames/,/^$/p' "$crash" | head -n 60 >&2; }
+  done
 }
 
 # Three bundles at a time, as their tests wait most of their time, where each can have a display of its own: docs/adr/0138-tests-run-two-at-a-time.md.

@@ -65,7 +65,7 @@ def test_a_robot_behind_a_bad_network_is_followed_through_its_outages(network, r
 
     for _ in range(3):
         lines = shown_outage(robotui, network, 1.0)
-        assert {line["link"] for line in lines} == {"connected"}, "a second's outage costs no link"
+        assert {line["link"] for line in lines} == {"connected"}, f"a second's outage costs no link: {robotui.err.read_text()[-600:]}"
 
     lines = shown_outage(robotui, network, 9.0)
     assert "degraded" in {line["link"] for line in lines}, "a long outage is said of the link"

@@ -47,6 +47,7 @@ class Server:
         """What each client has open, and who is there."""
         gone = {event["client"] for event in self.events("gone")}
         return sorted([event["client"], event["device"]] for event in self.events("open") if event["client"] not in gone)
+
     def commanded_by_others_alone(self):
         assert {event["client"] for event in self.events("command")} == {1}
 
@@ -156,9 +157,10 @@ def test_a_killed_guard_costs_one_connection(server):
 
 @pytest.mark.parametrize("guard", [pytest.param(False, marks=needs_long), True])
 def test_a_bad_link_to_the_workbench_changes_nothing_where_little_is_sent(network, guard):      # noqa: F811
+    """The odometry alone: what a laser scanner sends in an outage and until TCP tries again fills the buffer of the server's kernel."""
     server = Server(network.robot, host=network.robot.address)
     phases = [server.phase("without")]
-    started = workbench(server, guard, network.workbench, devices=("position2d:0", "laser:0"))
+    started = workbench(server, guard, network.workbench, devices=("position2d:0",))
     network.impair(0.05, 0.02)
     phases.append(server.phase("on a bad link"))
     network.outage(3)

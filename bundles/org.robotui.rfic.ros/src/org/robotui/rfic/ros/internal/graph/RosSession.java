@@ -41,6 +41,7 @@ public final class RosSession implements RobotSession {
   private final RficContext context;
   private final RosSettings settings;
   private final SharedMaster master;
+  private final LinkVerdict verdict;
   private final RosNode node;
   private final RobotTopics topics;
   private final DescriptionPort description;
@@ -49,7 +50,6 @@ public final class RosSession implements RobotSession {
   private final Offer goals;
   private final RosTunables tunables;
   private final Offer graph;
-  private boolean met;
 
   /**
    * Opens a node.
@@ -67,6 +67,7 @@ public final class RosSession implements RobotSession {
     this.context = context;
     this.settings = settings;
     this.master = masters.of(settings.master());
+    this.verdict = new LinkVerdict(settings.master().toString(), LOOK);
     LinkWatch watch = new LinkWatch();
     NodeOptions options = NodeOptions.standard(context.threads()).withLinks(watch).withRecords(context.stateFolder());
     this.node = RosNode.open(settings.environment(), GraphName.anonymous(settings.node()), care.apply(options));
@@ -108,27 +109,15 @@ public final class RosSession implements RobotSession {
   private void look() {
     switch (master.graph(() -> SharedGraph.ask(node), System.nanoTime(), FRESH.toNanos())) {
       case Outcome.Done<SharedGraph> d -> seen(GraphSnapshot.of(d.value(), node.name().text()));
-      case Outcome<SharedGraph> other -> unseen(other.reason());
+      case Outcome<SharedGraph> other ->
+        verdict.unanswered(other, topics.flowing()).ifPresent(context.link()::report);
     }
   }
 
   private void seen(TopicGraph snapshot) {
-    met = true;
     topics.pulse().answered(System.nanoTime());
     topics.follow(snapshot);
-    String peer = settings.master().toString();
-    String problem = topics.problem();
-    context.link().report(
-        problem.isEmpty() ? new LinkState.Connected(peer) : new LinkState.Degraded(peer, problem));
-  }
-
-  /** Without the master, established links go on: that is no failure of the robot, but nothing new can be found. */
-  private void unseen(String reason) {
-    boolean flowing = met && topics.flowing();
-    context.link().report(
-        flowing
-            ? new LinkState.Degraded(settings.master().toString(), reason + "; established links go on")
-            : new LinkState.Failed(reason, LOOK));
+    context.link().report(verdict.answered(topics.problem()));
   }
 
   /**
