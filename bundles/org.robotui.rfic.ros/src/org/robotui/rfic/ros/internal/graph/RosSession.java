@@ -10,7 +10,6 @@ import java.util.concurrent.TimeoutException;
 import java.util.function.BooleanSupplier;
 import java.util.function.UnaryOperator;
 import org.robotui.api.RficContext;
-import org.robotui.api.link.LinkState;
 import org.robotui.api.port.Offer;
 import org.robotui.api.session.RobotSession;
 import org.robotui.message.MessageRegistry;
@@ -39,7 +38,6 @@ public final class RosSession implements RobotSession {
   private static final Duration CLOCK = Duration.ofMillis(50);
 
   private final RficContext context;
-  private final RosSettings settings;
   private final SharedMaster master;
   private final LinkVerdict verdict;
   private final RosNode node;
@@ -65,7 +63,6 @@ public final class RosSession implements RobotSession {
       UnaryOperator<NodeOptions> care)
       throws IOException {
     this.context = context;
-    this.settings = settings;
     this.master = masters.of(settings.master());
     this.verdict = new LinkVerdict(settings.master().toString(), LOOK);
     LinkWatch watch = new LinkWatch();
