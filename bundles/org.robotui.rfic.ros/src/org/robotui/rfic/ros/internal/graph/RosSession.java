@@ -106,8 +106,7 @@ public final class RosSession implements RobotSession {
   private void look() {
     switch (master.graph(() -> SharedGraph.ask(node), System.nanoTime(), FRESH.toNanos())) {
       case Outcome.Done<SharedGraph> d -> seen(GraphSnapshot.of(d.value(), node.name().text()));
-      case Outcome<SharedGraph> other ->
-        verdict.unanswered(other, topics.flowing()).ifPresent(context.link()::report);
+      case Outcome<SharedGraph> other -> verdict.unanswered(other, topics.flowing()).ifPresent(context.link()::report);
     }
   }
 
