@@ -136,6 +136,13 @@ public final class FakeRficContext implements RficContext, Offers, ClockSource {
     simulated.add(nanos);
   }
 
+  /** As if it had been played at its own speed all the time. */
+  @Override
+  public long received(long nanos) {
+    Long last = simulated.peekLast();
+    return System.nanoTime() - (last == null ? 0 : Math.max(0, last - nanos));
+  }
+
   @Override
   public void live() {
     simulated.clear();

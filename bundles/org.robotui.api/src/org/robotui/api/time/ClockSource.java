@@ -29,6 +29,18 @@ public interface ClockSource {
     replayed(nanos);
   }
 
+  /**
+   * When, by the clock of this machine, a recording was at a time: what is published again because it holds was
+   * received then.
+   *
+   * @param nanos time in the recording
+   * @return as {@link System#nanoTime()}; for a time before the recording was opened or moved, as if it had been played
+   * at its own speed until then; for a later one than was said last, when that was
+   */
+  default long received(long nanos) {
+    return System.nanoTime();
+  }
+
   /** The robot lives in its own time again. */
   void live();
 

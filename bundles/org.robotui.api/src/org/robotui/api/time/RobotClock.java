@@ -35,4 +35,26 @@ public interface RobotClock {
    * @return 0 before the first jump
    */
   long epoch();
+
+  /**
+   * The time by which values grow old: that of this machine, for a recording its own, which may stand still, pass
+   * quickly, and begin anew with an epoch. Only differences mean something.
+   *
+   * @param nanos a moment of this machine that has come, as {@link System#nanoTime()}
+   * @return the same moment in that time, nanoseconds
+   */
+  default long agingNanos(long nanos) {
+    return nanos;
+  }
+
+  /**
+   * How long ago something was received, by that time.
+   *
+   * @param receivedNanos when, as {@link System#nanoTime()}
+   * @param nowNanos now, as {@link System#nanoTime()}
+   * @return seconds, not negative
+   */
+  default double ageSeconds(long receivedNanos, long nowNanos) {
+    return Math.max(0, agingNanos(nowNanos) - agingNanos(receivedNanos)) * 1e-9;
+  }
 }

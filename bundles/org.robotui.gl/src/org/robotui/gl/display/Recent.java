@@ -137,7 +137,7 @@ public final class Recent<T extends Data, P> {
       clear();
     }
     arrivals(tick, seconds > 0).forEach(this::add);
-    while (entries.size() > 1 && entries.peekFirst().envelope.ageSeconds(tick.nowNanos()) > seconds) {
+    while (entries.size() > 1 && tick.ageSeconds(entries.peekFirst().envelope.receivedNanos()) > seconds) {
       remove();
     }
     while (entries.size() > 1 && (total > most || entries.size() > MOST)) {

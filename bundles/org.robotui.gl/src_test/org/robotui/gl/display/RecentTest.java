@@ -61,6 +61,18 @@ class RecentTest {
   }
 
   @Test
+  void valuesStayAsLongAsTheTimeByWhichTheyGrowOldStandsStill() {
+    recent.update(tick(LIVE, 1, value(1)), 3, 1000);
+    recent.update(tick(LIVE, 2, value(2)), 3, 1000);
+    DisplayTick standing = new DisplayTick(List.of(), LIVE, places(), settings(), Rgba.WHITE, 60_000_000_000L, false,
+        received -> 2 - received * 1e-9);
+    recent.update(standing, 3, 1000);
+    assertEquals(2, recent.entries().size());
+    recent.update(tick(LIVE, 60), 3, 1000);
+    assertEquals(1, recent.entries().size(), "by the clock of this machine the first is too old");
+  }
+
+  @Test
   void whatWasMeasuredStaysWhereItWasAndMovesWithTheFixedFrameOnly() {
     recent.update(tick(LIVE, 1, value(1)), 0, 1000);
     exact = Optional.of(RigidTransform.planar(7, 0, 0));

@@ -20,6 +20,6 @@ public interface Ageing {
   /** Nanoseconds since some fixed moment. */
   long nanos();
 
-  /** The same at a moment of the monotonic clock that is not long ago. */
+  /** The same at a moment of the monotonic clock. */
   long at(long receivedNanos);
 }

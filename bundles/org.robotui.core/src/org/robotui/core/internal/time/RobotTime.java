@@ -14,6 +14,7 @@ public final class RobotTime implements ClockSource, Ageing {
   private final OffsetFilter filter = new OffsetFilter();
   private boolean simulated;
   private volatile boolean replayed;
+  private final TimeTrack track = new TimeTrack();
   private long simulatedNanos;
 
   RobotTime(NanoClock clock, WallClock wall, Runnable jumped) {
@@ -45,13 +46,26 @@ public final class RobotTime implements ClockSource, Ageing {
   private synchronized void move(long nanos) {
     simulated = true;
     simulatedNanos = nanos;
+    track.begin(clock.nanos(), nanos);
   }
 
   private synchronized boolean advance(long nanos) {
     boolean jump = simulated ? nanos < simulatedNanos - JITTER_NANOS : filter.minimum(clock.nanos()).isPresent();
-    simulatedNanos = simulated && !jump ? Math.max(simulatedNanos, nanos) : nanos;
+    boolean on = simulated && !jump;
+    simulatedNanos = on ? Math.max(simulatedNanos, nanos) : nanos;
     simulated = true;
+    if (replayed) {
+      keep(on);
+    }
     return jump;
+  }
+
+  private void keep(boolean on) {
+    if (on) {
+      track.add(clock.nanos(), simulatedNanos);
+    } else {
+      track.begin(clock.nanos(), simulatedNanos);
+    }
   }
 
   @Override
@@ -85,7 +99,20 @@ public final class RobotTime implements ClockSource, Ageing {
 
   @Override
   public long at(long receivedNanos) {
-    return replayed ? simulatedNanos() - (clock.nanos() - receivedNanos) : receivedNanos;
+    return replayed ? recorded(receivedNanos) : receivedNanos;
+  }
+
+  private synchronized long recorded(long moment) {
+    return track.time(moment);
+  }
+
+  @Override
+  public synchronized long received(long nanos) {
+    return replayed ? track.moment(nanos) : clock.nanos();
+  }
+
+  boolean isReplayed() {
+    return replayed;
   }
 
   void forgetOffset() {

@@ -100,6 +100,12 @@ public final class RuicClock implements RobotClock {
     return epoch.get();
   }
 
+  /** All recordings are played on one time. */
+  @Override
+  public long agingNanos(long nanos) {
+    return all().stream().filter(RobotTime::isReplayed).findFirst().map(time -> time.at(nanos)).orElse(nanos);
+  }
+
   private Optional<RobotTime> simulated() {
     return all().stream().filter(RobotTime::isSimulated).findFirst();
   }

@@ -110,9 +110,11 @@ class RuicClockTest {
     RobotTime played = clock.source("recording");
     played.replayed(5000 * MILLI);
     assertEquals(0, clock.epoch());
+    long opened = mono.nanos();
     mono.advanceMillis(60_000);
     assertEquals(5000 * MILLI, played.nanos(), "it stands still");
-    assertEquals(4990 * MILLI, played.at(mono.nanos() - 10 * MILLI));
+    assertEquals(5000 * MILLI, played.at(mono.nanos() - 10 * MILLI));
+    assertEquals(4990 * MILLI, played.at(opened - 10 * MILLI));
     played.moved(9000 * MILLI);
     assertEquals(1, clock.epoch());
     assertEquals(new Stamp(9000 * MILLI, ClockKind.SIMULATED), clock.now());
@@ -123,5 +125,33 @@ class RuicClockTest {
     assertEquals(1500 * MILLI, played.nanos());
     played.live();
     assertEquals(mono.nanos(), played.nanos());
+  }
+
+  private double age(long receivedNanos) {
+    return clock.ageSeconds(receivedNanos, mono.nanos());
+  }
+
+  @Test
+  void agesAreThoseOfARecordingWhereverAValueWasReceivedInIt() {
+    RobotTime played = clock.source("recording");
+    long first = mono.nanos();
+    assertEquals(0, age(first));
+    mono.advanceMillis(500);
+    assertEquals(0.5, age(first), 1e-9, "by this machine where nothing is played");
+
+    played.replayed(5000 * MILLI);
+    long begin = mono.nanos();
+    for (int step = 1; step <= 10; step++) {
+      mono.advanceMillis(100);
+      played.replayed((5000 + 400 * step) * MILLI);
+    }
+    assertEquals(4, age(begin), 1e-6, "at four times its speed");
+    assertEquals(begin + 500 * MILLI, played.received(7000 * MILLI));
+    mono.advanceMillis(30_000);
+    assertEquals(4, age(begin), 1e-6, "it stands still");
+    assertEquals(0, age(mono.nanos()), 1e-6);
+
+    played.moved(1000 * MILLI);
+    assertEquals(2, age(mono.nanos() - 2000 * MILLI), 1e-6, "what holds at the time it was moved to");
   }
 }

@@ -3,6 +3,7 @@ package org.robotui.entity.marker.internal;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.LongToDoubleFunction;
 import org.robotui.api.port.SourceId;
 import org.robotui.data.marker.Marker;
 import org.robotui.gl.shape.Describer;
@@ -65,8 +66,9 @@ final class Held {
     describer = (element, place) -> MarkerText.of(same, element);
   }
 
-  boolean over(long nowNanos) {
-    return marker.lifetimeNanos() > 0 && nowNanos - marker.receivedNanos() > marker.lifetimeNanos();
+  /** Whether its lifetime is over. */
+  boolean over(LongToDoubleFunction ages) {
+    return marker.lifetimeNanos() > 0 && ages.applyAsDouble(marker.receivedNanos()) > marker.lifetimeNanos() * 1e-9;
   }
 
   /** Whether another is drawn by the very same shape. */

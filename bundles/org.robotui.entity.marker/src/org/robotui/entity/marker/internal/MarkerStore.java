@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.function.LongToDoubleFunction;
 import org.robotui.api.port.SourceId;
 import org.robotui.data.FrameId;
 import org.robotui.data.marker.Marker;
@@ -78,8 +79,8 @@ final class MarkerStore {
   }
 
   /** Takes away those whose time is over, and finds the places of new ones. */
-  void tick(Spots spots, FrameId fixedFrame, long nowNanos) {
-    markers.values().stream().filter(h -> h.over(nowNanos)).toList().forEach(this::remove);
+  void tick(Spots spots, FrameId fixedFrame, LongToDoubleFunction ages) {
+    markers.values().stream().filter(h -> h.over(ages)).toList().forEach(this::remove);
     boolean elsewhere = fixed.filter(fixedFrame::equals).isEmpty();
     fixed = Optional.of(fixedFrame);
     for (Held held : markers.values()) {

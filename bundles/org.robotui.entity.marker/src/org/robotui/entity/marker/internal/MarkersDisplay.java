@@ -43,7 +43,7 @@ final class MarkersDisplay implements Display {
       }
     }
     Spots spots = new Spots(tick.places());
-    store.tick(spots, tick.places().fixed(), tick.nowNanos());
+    store.tick(spots, tick.places().fixed(), tick.ages());
     meshes.begin(tick.settings().list(MarkersType.PACKAGES), store.markers());
     List<Part> parts = parts(spots, tick.settings(), Recent.opacity(tick));
     return new DisplayResult(parts, status(tick, spots.missing()), store.dropped());

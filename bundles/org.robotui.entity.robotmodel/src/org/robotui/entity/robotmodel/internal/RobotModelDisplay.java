@@ -128,7 +128,7 @@ final class RobotModelDisplay implements Display {
       return new DisplayStatus.Partly(
           "No joint states yet: all joints are shown at 0. Choose a source of joint states, or poses: tf.");
     }
-    double age = (tick.nowNanos() - jointsReceived.get()) * 1e-9;
+    double age = tick.ageSeconds(jointsReceived.get());
     return age > OLD_SECONDS
         ? new DisplayStatus.Partly(
             String.format(Locale.ROOT, "The newest joint states are %.0f s old: shown as last known.", age))

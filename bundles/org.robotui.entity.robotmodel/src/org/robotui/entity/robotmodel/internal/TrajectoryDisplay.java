@@ -118,7 +118,7 @@ final class TrajectoryDisplay implements Display {
 
   private DisplayResult result(Shown.Running running, boolean moved, DisplayTick tick) {
     Settings settings = tick.settings();
-    double age = newest.map(envelope -> envelope.ageSeconds(tick.nowNanos())).orElse(0.0);
+    double age = newest.map(envelope -> tick.ageSeconds(envelope.receivedNanos())).orElse(0.0);
     if (settings.number(TrajectoryType.TIMEOUT) > 0 && age > settings.number(TrajectoryType.TIMEOUT)) {
       return DisplayResult
           .nothing(new DisplayStatus.TooOld(String.format(Locale.ROOT, "The newest trajectory came %.0f s ago.", age)));
@@ -145,7 +145,7 @@ final class TrajectoryDisplay implements Display {
   private DisplayStatus status(Shown.Running running, DisplayTick tick) {
     Plan plan = running.rehearsal().plan();
     String wanted = tick.settings().text(TrajectoryType.LINK).strip();
-    double age = jointsReceived.map(received -> (tick.nowNanos() - received) * 1e-9).orElse(0.0);
+    double age = jointsReceived.map(tick::ageSeconds).orElse(0.0);
     if (!plan.remarks().isEmpty()) {
       return new DisplayStatus.Partly("Shown in part: " + String.join("; ", plan.remarks()) + ".");
     }

@@ -40,7 +40,7 @@ final class PortFunctions {
             "Reads the newest message of a stream with the names that the robot gives.",
             "an object", call -> newest(call).record()),
         ScriptFunction.of("age(port, ui?)", "Says how old the newest value of a stream is.", "seconds",
-            call -> newest(call).ageSeconds(System.nanoTime())),
+            PortFunctions::age),
         ScriptFunction.of("take(port, ui?)",
             "Takes all values of a stream that came since the last call, at most 1024; the first call begins.",
             "a list of objects", PortFunctions::take),
@@ -88,6 +88,16 @@ final class PortFunctions {
 
   private static Object value(ScriptCall call) throws ScriptFailure, InterruptedException {
     return newest(call).value();
+  }
+
+  /** As the port says it: that of a value of a recording does not grow while the recording stands. */
+  private static Object age(ScriptCall call) throws ScriptFailure, InterruptedException {
+    Envelope<?> newest = newest(call);
+    return switch (call.access(Named.ruic(call, 1)).state(Named.port(call, 0))) {
+      case InputState.Live live -> live.ageSeconds();
+      case InputState.Stale stale -> stale.ageSeconds();
+      default -> newest.ageSeconds(System.nanoTime());
+    };
   }
 
   private static Envelope<?> newest(ScriptCall call) throws ScriptFailure, InterruptedException {

@@ -16,6 +16,7 @@ import org.eclipse.swt.widgets.Control;
 import org.eclipse.swt.widgets.Event;
 import org.robotui.api.port.InputState;
 import org.robotui.api.port.SourceId;
+import org.robotui.api.time.RobotClock;
 import org.robotui.entity.image.Legend;
 import org.robotui.entity.image.Picture;
 import org.robotui.ui.ImageFill;
@@ -41,6 +42,7 @@ final class CameraSurface implements ViewSurface {
   private final Saver saver;
   private final IntConsumer seenFrom;
   private final StateView states;
+  private final RobotClock clock;
   private final Labels labels;
   private final HoverBar bar;
   private final LegendBar legends;
@@ -55,12 +57,14 @@ final class CameraSurface implements ViewSurface {
   /**
    * A surface.
    *
+   * @param clock of the robot, by which pictures grow old
    * @param chosen is given what the user wants connected
    * @param seenFrom is given the edge of blocks of pixels that are one on the screen
    */
-  CameraSurface(Composite parent, UiContext context, CameraChoices choices, Saver saver, Consumer<SourceId> chosen,
-      IntConsumer seenFrom) {
+  CameraSurface(Composite parent, UiContext context, RobotClock clock, CameraChoices choices, Saver saver,
+      Consumer<SourceId> chosen, IntConsumer seenFrom) {
     this.context = context;
+    this.clock = clock;
     this.choices = choices;
     this.saver = saver;
     this.seenFrom = seenFrom;
@@ -245,7 +249,7 @@ final class CameraSurface implements ViewSurface {
       legends.hide();
     }
     if (options.details()) {
-      labels.details(gc, area, shown, shot.state(), System.nanoTime());
+      labels.details(gc, area, shown, shot.state(), clock.ageSeconds(shown.receivedNanos(), System.nanoTime()));
     }
     if (options.readOut()) {
       navigation.pointer().map(p -> at.pixel(p.x, p.y))

@@ -51,7 +51,8 @@ final class CameraUic extends SurfaceUic<CameraSurface> {
 
   @Override
   protected CameraSurface open(Composite parent, UiContext ui) {
-    return new CameraSurface(parent, ui, choices, saver, peer -> context.ruic().connect(port, peer), blocks::set);
+    return new CameraSurface(parent, ui, context.clock(), choices, saver, peer -> context.ruic().connect(port, peer),
+        blocks::set);
   }
 
   @Override

@@ -51,13 +51,13 @@ final class Labels {
   }
 
   /** Size, encoding, rate, age and frame at the upper left. */
-  void details(GC gc, Rectangle area, Shot.Shown shown, InputState state, long now) {
+  void details(GC gc, Rectangle area, Shot.Shown shown, InputState state, double age) {
     Picture picture = shown.picture();
     String rate = state instanceof InputState.Live live ? Figures.rate(live.rateHz()) : Figures.UNKNOWN;
     List<String> lines = List.of(
         picture.width() + " \u00d7 " + picture.height() + "  " + picture.encoding(),
         "rate  " + rate,
-        "age   " + Figures.age(Math.max(0, now - shown.receivedNanos()) * 1e-9),
+        "age   " + Figures.age(age),
         "frame " + (shown.frame().isEmpty() ? Figures.UNKNOWN : shown.frame()));
     gc.setFont(theme.font(Face.SMALL_FIGURES));
     int width = lines.stream().mapToInt(l -> gc.textExtent(l).x).max().orElse(0) + 4 * Theme.STEP;

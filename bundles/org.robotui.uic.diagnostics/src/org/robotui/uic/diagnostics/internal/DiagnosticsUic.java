@@ -26,15 +26,16 @@ final class DiagnosticsUic extends SurfaceUic<DiagnosticsSurface> {
   DiagnosticsUic(UicContext context) {
     this.context = context;
     this.input = context.input(DiagnosticsType.DIAGNOSTICS);
-    this.model = new DiagnosticsModel(input, context.settings().current().integer(DiagnosticsType.HISTORY));
+    this.model = new DiagnosticsModel(input, context.settings().current().integer(DiagnosticsType.HISTORY),
+        context.clock()::agingNanos);
     model.ask(DiagnosticsPreferences.read(context.settings().current()));
     this.frame = frame();
     offers().add("forget", "Forget parts that do not report any more", Icon.MINUS, hands::forgetSilent);
   }
 
   @Override
-  public boolean tick(long now) {
-    boolean news = model.tick(now, context.settings().current().number(DiagnosticsType.STALE_AFTER));
+  public boolean tick(long nowNanos) {
+    boolean news = model.tick(nowNanos, context.settings().current().number(DiagnosticsType.STALE_AFTER));
     Frame next = frame();
     boolean changed = news || next.state().getClass() != frame.state().getClass();
     frame = next;

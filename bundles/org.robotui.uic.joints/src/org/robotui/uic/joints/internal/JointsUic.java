@@ -24,7 +24,7 @@ final class JointsUic extends SurfaceUic<JointsSurface> {
   private final Input<JointState> input;
   private final Input<JointState> messages;
   private final SettingsStore settings;
-  private final JointTracks tracks = new JointTracks();
+  private final JointTracks tracks;
   private final AtomicBoolean forget = new AtomicBoolean();
   private volatile JointsLook look;
 
@@ -33,6 +33,7 @@ final class JointsUic extends SurfaceUic<JointsSurface> {
     this.input = input;
     this.messages = messages;
     this.settings = context.settings();
+    this.tracks = new JointTracks(context.clock()::agingNanos);
     this.look = look(System.nanoTime());
     offers()
         .add(new ViewAction("degrees", "Angles in degrees", "", Optional.of(this::degrees), () -> degrees(!degrees())))
@@ -43,7 +44,7 @@ final class JointsUic extends SurfaceUic<JointsSurface> {
 
   @Override
   public boolean tick(long nowNanos) {
-    tracks.take(input, messages, nowNanos);
+    tracks.take(input, messages, context.clock().agingNanos(nowNanos));
     if (forget.compareAndSet(true, false)) {
       tracks.forget();
     }
@@ -54,8 +55,8 @@ final class JointsUic extends SurfaceUic<JointsSurface> {
     return changed;
   }
 
-  private JointsLook look(long now) {
-    return tracks.look(input, OptionsReader.read(settings.current()), now);
+  private JointsLook look(long nowNanos) {
+    return tracks.look(input, OptionsReader.read(settings.current()), context.clock().agingNanos(nowNanos));
   }
 
   @Override

@@ -189,7 +189,7 @@ final class TrackPlayer implements PlayedTrack {
 
   /** With the age that it has by the time of the recording. */
   private void give(RecordedMessage message, Set<Reception<?>> to) {
-    long received = System.nanoTime() - Math.max(0, now - message.logTime());
+    long received = clock.received(Math.min(now, message.logTime()));
     to.stream().filter(each -> each.has(message.channel().id())).forEach(each -> each.deliver(message, received));
   }
 

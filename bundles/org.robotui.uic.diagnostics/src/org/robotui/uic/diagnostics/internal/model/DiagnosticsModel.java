@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.LongUnaryOperator;
 import org.robotui.api.port.Input;
 import org.robotui.api.port.SourceId;
 import org.robotui.data.status.Diagnostics;
@@ -27,19 +28,25 @@ public final class DiagnosticsModel {
   private final Forest forest;
   private final Timeline overall = new Timeline(SLOTS);
   private final long slotNanos;
+  private final LongUnaryOperator aging;
   private final AtomicBoolean forget = new AtomicBoolean();
   private volatile Ask ask = Ask.DEFAULT;
   private volatile Shown shown;
   private long newest;
   private long seenSecond = Long.MIN_VALUE;
 
-  /** Over an input, with how much is looked back on. */
-  public DiagnosticsModel(Input<Diagnostics> input, long minutes) {
-    this(input, minutes, MOST_BYTES);
+  /**
+   * Over an input, with how much is looked back on.
+   *
+   * @param aging translates moments of this machine into the time by which reports grow old
+   */
+  public DiagnosticsModel(Input<Diagnostics> input, long minutes, LongUnaryOperator aging) {
+    this(input, minutes, aging, MOST_BYTES);
   }
 
-  DiagnosticsModel(Input<Diagnostics> input, long minutes, long mostBytes) {
+  DiagnosticsModel(Input<Diagnostics> input, long minutes, LongUnaryOperator aging, long mostBytes) {
     this.input = input;
+    this.aging = aging;
     this.history = new History(mostBytes);
     this.forest = new Forest(history, SLOTS);
     this.slotNanos = minutes * SECONDS_PER_MINUTE * NANOS_PER_SECOND / SLOTS;
@@ -49,9 +56,11 @@ public final class DiagnosticsModel {
   }
 
   /** Takes what came, and prepares what is shown. Whether there is something new. */
-  public boolean tick(long now, double staleSeconds) {
+  public boolean tick(long nowNanos, double staleSeconds) {
+    long now = aging.applyAsLong(nowNanos);
     long stale = (long) (staleSeconds * NANOS_PER_SECOND);
-    int taken = input.drain(e -> e.value().items().forEach(item -> take(e.source(), item, e.receivedNanos())));
+    int taken = input
+        .drain(e -> e.value().items().forEach(item -> take(e.source(), item, aging.applyAsLong(e.receivedNanos()))));
     boolean forgotten = forget.getAndSet(false);
     if (forgotten) {
       forest.forgetSilent(now, stale);

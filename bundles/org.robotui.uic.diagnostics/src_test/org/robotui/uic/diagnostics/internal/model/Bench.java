@@ -4,6 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.LongUnaryOperator;
 import org.robotui.api.port.SourceId;
 import org.robotui.data.status.Diagnostics;
 import org.robotui.testkit.FakeInput;
@@ -16,7 +17,10 @@ final class Bench {
   static final double STALE = 5;
 
   final FakeInput<Diagnostics> input = new FakeInput<>();
-  final DiagnosticsModel model = new DiagnosticsModel(input, DiagnosticsModel.SLOTS / 60);
+  /** Where this is not that of the machine: as in a recording. */
+  LongUnaryOperator aging = LongUnaryOperator.identity();
+  final DiagnosticsModel model =
+      new DiagnosticsModel(input, DiagnosticsModel.SLOTS / 60, nanos -> aging.applyAsLong(nanos));
 
   static Diagnostics.Item item(String name, Diagnostics.Level level, String message, String... values) {
     Map<String, String> details = new LinkedHashMap<>();

@@ -9,6 +9,7 @@ import static org.robotui.uic.diagnostics.internal.model.Bench.ok;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.LongUnaryOperator;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.robotui.data.status.Diagnostics;
@@ -93,7 +94,7 @@ class HistoryTest {
 
   @Test
   void theMemoryOfTheHistoryIsBoundedAndTheNewestStays() {
-    DiagnosticsModel model = new DiagnosticsModel(bench.input, 4, 100_000);
+    DiagnosticsModel model = new DiagnosticsModel(bench.input, 4, LongUnaryOperator.identity(), 100_000);
     IntStream.range(0, 2000).forEach(second -> {
       bench.say(second,
           item("/Robot/Motor", Diagnostics.Level.OK, "message " + second, "Text", "x".repeat(500) + second),

@@ -146,4 +146,14 @@ class TreeTest {
     assertEquals(false, bench.model.tick(Bench.SECOND + 1, Bench.STALE));
     assertTrue(bench.model.tick(2 * Bench.SECOND, Bench.STALE));
   }
+
+  @Test
+  void whileARecordingStandsNothingFallsSilent() {
+    bench.aging = nanos -> Math.min(nanos, 2 * Bench.SECOND);
+    bench.say(1, ok("motor"));
+    assertEquals(List.of("motor OK"), bench.lines(1));
+    assertEquals(List.of("motor OK"), bench.lines(60));
+    bench.aging = nanos -> Math.min(nanos, 2 * Bench.SECOND) + 10 * Math.max(0, nanos - 60 * Bench.SECOND);
+    assertEquals(List.of("motor Stale"), bench.lines(61), "it was played ten times as fast");
+  }
 }

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.LongUnaryOperator;
 import java.util.stream.Collectors;
 import org.robotui.api.port.Input;
 import org.robotui.api.port.SourceId;
@@ -13,20 +14,30 @@ import org.robotui.data.joint.JointState;
 /** Remembers the joints of all sources. Used by one thread at a time, the tick. */
 public final class JointTracks {
   private final Map<SourceId, SourceTracks> sources = new LinkedHashMap<>();
+  private final LongUnaryOperator aging;
   private Set<SourceId> asked = Set.of();
+
+  /**
+   * Without joints.
+   *
+   * @param aging translates moments of this machine into the time by which values grow old
+   */
+  public JointTracks(LongUnaryOperator aging) {
+    this.aging = aging;
+  }
 
   /**
    * Takes what came, and forgets sources that are no longer connected.
    *
    * @param input the joints, merged since the last tick
    * @param messages single messages as they came, of which few are asked for: they alone tell where a joint stands
-   * @param now monotonic time
+   * @param now in the time by which they grow old
    */
   public void take(Input<JointState> input, Input<JointState> messages, long now) {
     List<SourceId> connected = input.sources();
     sources.keySet().retainAll(connected);
     connected.forEach(this::of);
-    input.drain(envelope -> of(envelope.source()).put(envelope.value(), envelope.receivedNanos()));
+    input.drain(envelope -> of(envelope.source()).put(envelope.value(), aging.applyAsLong(envelope.receivedNanos())));
     messages.drain(
         message -> Optional.ofNullable(sources.get(message.source())).ifPresent(source -> source.learn(message, now)));
     Set<SourceId> next = sources.entrySet().stream().filter(e -> e.getValue().wantsMessage(now)).map(Map.Entry::getKey)

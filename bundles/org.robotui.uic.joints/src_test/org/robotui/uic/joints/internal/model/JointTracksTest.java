@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import java.util.function.LongUnaryOperator;
 import org.junit.jupiter.api.Test;
 import org.robotui.api.port.InputState;
 import org.robotui.api.port.RawMessage;
@@ -26,7 +27,7 @@ class JointTracksTest {
 
   private final FakeInput<JointState> input = new FakeInput<>();
   private final FakeInput<JointState> messages = new FakeInput<>();
-  private final JointTracks tracks = new JointTracks();
+  private final JointTracks tracks = new JointTracks(LongUnaryOperator.identity());
 
   @Test
   void listsEveryJointOfEverySourceInTheOrderOfArrival() {

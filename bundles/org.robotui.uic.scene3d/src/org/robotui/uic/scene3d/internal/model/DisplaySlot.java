@@ -14,7 +14,6 @@ import org.robotui.gl.display.Display;
 import org.robotui.gl.display.DisplayContext;
 import org.robotui.gl.display.DisplayResult;
 import org.robotui.gl.display.DisplayStatus;
-import org.robotui.gl.display.DisplayTick;
 import org.robotui.gl.display.DisplayType;
 import org.robotui.gl.display.Places;
 import org.robotui.gl.shape.Part;
@@ -115,13 +114,13 @@ final class DisplaySlot {
   }
 
   /** Updates it; true where something else is to be seen. */
-  boolean update(DisplayContext context, Input<Data> input, Places places, Rgba color, long nowNanos, boolean reset) {
+  boolean update(DisplayContext context, Input<Data> input, SlotTick tick) {
     List<Part> before = result.parts();
     if (wanted()) {
       try {
         state = choice.state(input.sources(), input::state);
-        result = running(context).display().update(new DisplayTick(
-            arrived, state, places, settings.orElseThrow().settings(), color, nowNanos, reset));
+        result = running(context).display().update(tick.of(
+            arrived, state, settings.orElseThrow().settings()));
         PartsCheck.distinct(result.parts());
       } catch (RuntimeException | LinkageError e) {
         fail(e);

@@ -193,7 +193,9 @@ public final class SceneModel {
     boolean changed = false;
     for (DisplaySlot slot : slots.values()) {
       String robot = slot.robot().orElseGet(() -> places.fixed().robot());
-      changed |= slot.update(context, input, places, colors.of(robot, now), nowNanos, reset);
+      changed |= slot.update(context, input,
+          new SlotTick(places, colors.of(robot, now), nowNanos, reset,
+              received -> clock.ageSeconds(received, nowNanos)));
     }
     return changed;
   }

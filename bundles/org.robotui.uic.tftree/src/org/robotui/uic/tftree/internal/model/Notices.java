@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.function.LongToDoubleFunction;
 import java.util.stream.Collectors;
 import org.robotui.api.frame.FrameRefusal;
 import org.robotui.data.FrameId;
@@ -12,13 +13,13 @@ import org.robotui.ui.Health;
 /** What is wrong with the frames as a whole, the worst first. Pure. */
 final class Notices {
   private static final int NAMED = 4;
-  private static final long LATELY_NANOS = 15_000_000_000L;
+  private static final double LATELY = 15;
 
   private Notices() {}
 
-  static List<Notice> of(Forest forest, List<FrameRow> rows, List<FrameRefusal> refusals, long now) {
+  static List<Notice> of(Forest forest, List<FrameRow> rows, List<FrameRefusal> refusals, LongToDoubleFunction ages) {
     List<Notice> notices = new ArrayList<>();
-    refusals.stream().filter(refusal -> now - refusal.receivedNanos() <= LATELY_NANOS).limit(NAMED)
+    refusals.stream().filter(refusal -> ages.applyAsDouble(refusal.receivedNanos()) <= LATELY).limit(NAMED)
         .forEach(refusal -> notices
             .add(new Notice(Health.BAD, "Refused of " + sender(refusal.authority()) + ": " + refusal.reason()
                 + (refusal.count() > 1 ? " (" + refusal.count() + " times)" : ""))));

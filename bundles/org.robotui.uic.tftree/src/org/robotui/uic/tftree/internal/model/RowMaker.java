@@ -7,17 +7,16 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.LongToDoubleFunction;
 import org.robotui.api.frame.FrameLink;
 import org.robotui.data.FrameId;
 
 /** Makes the rows of the tree: those that fit, and those above them. Pure. */
 final class RowMaker {
-  private static final double NANO = 1e-9;
-
   private RowMaker() {}
 
   /** All frames in the order of the tree, whatever is asked for. */
-  static List<FrameRow> all(Forest forest, Ask ask, double staleAfter, long now) {
+  static List<FrameRow> all(Forest forest, Ask ask, double staleAfter, LongToDoubleFunction ages) {
     boolean several = forest.robots().size() > 1;
     Map<FrameId, Integer> depths = new HashMap<>();
     List<FrameRow> rows = new ArrayList<>(forest.size());
@@ -25,7 +24,7 @@ final class RowMaker {
       int depth = forest.parent(frame).map(parent -> depths.getOrDefault(parent, -1) + 1).orElse(0);
       depths.put(frame, depth);
       Optional<FrameLink> link = Optional.ofNullable(forest.links().get(frame));
-      double age = link.filter(l -> !l.fixed()).map(l -> Math.max(0, (now - l.receivedNanos()) * NANO)).orElse(0.0);
+      double age = link.filter(l -> !l.fixed()).map(l -> ages.applyAsDouble(l.receivedNanos())).orElse(0.0);
       boolean open = ask.narrows() || !ask.closed().contains(frame);
       rows.add(FrameRow.of(frame, several ? frame.toString() : frame.name(), depth, link,
           forest.below().getOrDefault(frame, 0), open, age, staleAfter));

@@ -2,9 +2,11 @@ package org.robotui.uic.tftree.internal.model;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.function.LongToDoubleFunction;
 import org.robotui.api.UicContext;
 import org.robotui.api.frame.Frames;
 import org.robotui.api.port.InputState;
+import org.robotui.api.time.RobotClock;
 import org.robotui.data.FrameId;
 import org.robotui.ui.diagram.Diagram;
 import org.robotui.ui.diagram.TextWidths;
@@ -27,6 +29,7 @@ public final class TfTreeModel {
       new TfTreeViewState(Ask.FIRST, NOTHING, List.of(), Diagram.EMPTY, List.of(), Optional.empty(), 0, 0);
   private Forest forest = Forest.EMPTY;
   private List<FrameRow> all = List.of();
+  private final RobotClock clock;
   private TextWidths measured = widths;
   private long surveyed;
   private boolean ever;
@@ -34,7 +37,8 @@ public final class TfTreeModel {
   /** With what core gives to the view. */
   public TfTreeModel(UicContext context) {
     frames = context.frames();
-    details = new DetailMaker(frames, context.clock());
+    clock = context.clock();
+    details = new DetailMaker(frames, clock);
   }
 
   /** Takes what is known; whether there is something new to show. */
@@ -56,14 +60,15 @@ public final class TfTreeModel {
     surveyed = now;
     ever = true;
     measured = widths;
+    LongToDoubleFunction ages = received -> clock.ageSeconds(received, now);
     forest = Forest.of(frames.all(), frames.links());
-    all = RowMaker.all(forest, wanted, staleAfter, now);
+    all = RowMaker.all(forest, wanted, staleAfter, ages);
     List<FrameRow> rows = RowMaker.shown(forest, all, wanted);
     Diagram drawing = wanted.drawn() ? TreeDrawing.draw(rows, measured) : Diagram.EMPTY;
     // The same object while nothing moved, so that nothing is painted anew.
     Diagram shown = drawing.equals(look.drawing()) ? look.drawing() : drawing;
     return new TfTreeViewState(wanted, forest.size() == 0 ? NOTHING : LIVE, rows, shown,
-        Notices.of(forest, all, frames.refusals(), now),
+        Notices.of(forest, all, frames.refusals(), ages),
         Optional.empty(), forest.size(), forest.roots().size());
   }
 
