@@ -41,6 +41,15 @@ TEST(Load, JointsAreSupervisedUnlessThatIsTurnedOff) {
   EXPECT_EQ(Workspace{}.load("HALInterface: {following_time: 0.05}\n").hal.following_time, 0.05);
 }
 
+TEST(Load, ANegativeInertiaIsKeptAndWarnedOfWhereThatIsWanted) {
+  const Workspace at;
+  at.write("robot.urdf", replaced(kUrdf, R"(ixx="0.1")", R"(ixx="-0.1")"));
+  const auto config = at.load("ModelInterface: {negative_inertia: keep}\n");
+  ASSERT_EQ(config.warnings.size(), 1U);
+  EXPECT_TRUE(anyContains(config.warnings, "robot.urdf:4: <link> 'upper' has a negative ixx, which is kept"));
+  EXPECT_THROW(at.load("ModelInterface: {negative_inertia: maybe}\n"), ConfigError);
+}
+
 // As they are published: with elements of MoveIt, and with groups of variants that this robot is not.
 TEST(Load, AnSrdfMayNameWhatTheUrdfLacks) {
   const Workspace at;

@@ -156,6 +156,8 @@ TEST_F(Mistakes, XmlThatIsNotRead) {
 TEST_F(Mistakes, MassesThatAreNone) {
   urdf(R"(<mass value="1"/>)", R"(<mass value="-1"/>)");
   expect("", "robot.urdf:4: <link> 'upper' has a negative mass");
+  urdf(R"(ixx="0.1")", R"(ixx="-0.1")");
+  expect("", "robot.urdf:4: <link> 'upper' has a negative ixx, which no body has; mend it, or go on with ");
   urdf(R"(ixx="0.1")", R"(ixx="heavy")");
   expect("", R"(<inertia> has ixx="heavy"; expected a number)");
 }
