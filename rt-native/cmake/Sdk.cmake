@@ -29,6 +29,10 @@ write_basic_package_version_file(${CMAKE_BINARY_DIR}/robotui-rt-config-version.c
 install(FILES cmake/robotui-rt-config.cmake cmake/RtDependencies.cmake cmake/RtTargets.cmake
   ${CMAKE_BINARY_DIR}/robotui-rt-config-version.cmake DESTINATION ${package})
 
+# It names the program by its path: that of the installation, which is known when it is made.
+install(CODE "set(RT_INSTALLED_PREFIX \"\${CMAKE_INSTALL_PREFIX}\")
+  configure_file(\"${CMAKE_SOURCE_DIR}/supervisor/robotui-rt@.service.in\" \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/lib/systemd/user/robotui-rt@.service\" @ONLY)")
+
 install(TARGETS robotui-rt robotui-rt-ctl robotui-rt-hal robotui-rt-host robotui-rt-joints RUNTIME DESTINATION bin)
 if(TARGET robotui-rt-ros)
   install(TARGETS robotui-rt-ros RUNTIME DESTINATION bin)

@@ -35,6 +35,13 @@ await() {
 
 cmake --install "$build" --prefix "$work/first" >"$work/installed"
 mv "$work/first" "$prefix"
+unit=lib/systemd/user/robotui-rt@.service
+grep -q "^ExecStart=$work/first/bin/robotui-rt -C %E/robotui/rt/%i.yaml$" "$prefix/$unit"
+if command -v systemd-analyze >/dev/null; then
+  sed "s,$work/first,$prefix," "$prefix/$unit" >"$work/robotui-rt@arm.service"
+  said=$(systemd-analyze --user --man=no verify "$work/robotui-rt@arm.service" 2>&1) || true
+  [[ $said != *robotui-rt@arm* ]] || { echo "The unit of systemd is not what it should be: $said"; exit 1; }
+fi
 new plugin MyOwn "-Drobotui-rt_DIR=$build"
 new ioplugin MyFace "-DCMAKE_PREFIX_PATH=$prefix"
 grep "^robotui-rt_DIR:PATH=$prefix/" "$work/MyFace/build/CMakeCache.txt"

@@ -7,7 +7,7 @@ import yaml
 from conftest import ROOT, RT_BIN, Robot, processes_of
 
 ARM = ROOT / "configs/arm"
-JOINT = re.compile(r"(?P<name>\S+) +(?P<position>\S+) +(?P<reference>\S+) +(?P<control>\S+) +(?P<owner>\S+)(?: +(?P<cut>\d+) cut)?")
+JOINT = re.compile(r"(?P<name>\S+) +(?P<position>-?[\d.]+) +(?P<reference>-?[\d.]+) +(?P<control>\S+) +(?P<owner>\S+)(?: +(?P<cut>\d+) cut)?")
 
 
 @dataclasses.dataclass
@@ -72,6 +72,8 @@ class Control:
         found = {}
         for line in self.ctl("joints").splitlines():
             said = JOINT.match(line)
+            if said is None:
+                continue                # behind the table stands why joints are safe
             found[said["name"]] = Joint(float(said["position"]), float(said["reference"]), said["control"], said["owner"],
                                         int(said["cut"] or 0))
         return found

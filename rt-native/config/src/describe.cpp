@@ -7,10 +7,12 @@
 
 namespace robotui::rt::config {
 
-RobotDescription describe(const RobotFiles& files, bool floating_base, std::vector<std::string>& warnings) {
+RobotDescription describe(const RobotFiles& files, bool floating_base, NegativeInertia inertia,
+                          std::vector<std::string>& warnings) {
   RobotDescription robot{};
   robot.urdf = readTextFile(files.urdf.file, files.urdf.wanted, "the URDF", kLargestXml);
-  const Urdf urdf(files.urdf.file, robot.urdf);
+  const Urdf urdf(files.urdf.file, robot.urdf, inertia);
+  warnings.insert(warnings.end(), urdf.warnings().begin(), urdf.warnings().end());
   robot.name = urdf.name();
   robot.floating_base = floating_base;
   robot.joints = readJointMap(files.joint_map.file, files.joint_map.wanted, urdf);
@@ -24,7 +26,8 @@ RobotDescription describe(const RobotFiles& files, bool floating_base, std::vect
 RobotDescription describe(const std::filesystem::path& urdf, const std::filesystem::path& srdf,
                           const std::filesystem::path& joint_map, bool floating_base) {
   std::vector<std::string> warnings;
-  return describe(RobotFiles{{urdf, {}}, {srdf, {}}, {joint_map, {}}}, floating_base, warnings);
+  return describe(RobotFiles{{urdf, {}}, {srdf, {}}, {joint_map, {}}}, floating_base, NegativeInertia::kRefuse,
+                  warnings);
 }
 
 }  // namespace robotui::rt::config

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "robotui/rt/config/config.h"
+#include "urdf.h"
 
 namespace robotui::rt::config {
 
@@ -16,6 +17,7 @@ struct RobotFiles {
   RobotFile joint_map;
 };
 
-RobotDescription describe(const RobotFiles& files, bool floating_base, std::vector<std::string>& warnings);
+RobotDescription describe(const RobotFiles& files, bool floating_base, NegativeInertia inertia,
+                          std::vector<std::string>& warnings);
 
 }  // namespace robotui::rt::config

@@ -53,13 +53,19 @@ std::string readModelType(const Reader& block, std::vector<std::string>& warning
   return type->oneOf({"KDL", "MUJOCO"});
 }
 
-bool readModel(const Reader& top, RtConfig& config) {
+// And the robot, which its settings say how to read.
+void readModel(const Reader& top, const RobotFiles& files, RtConfig& config) {
   config.model_type = "KDL";
-  const auto block = top.find("ModelInterface");
-  if (!block) return false;
-  block->knows({"model_type", "is_model_floating_base"}, config.warnings);
-  config.model_type = readModelType(*block, config.warnings);
-  return block->flagOr("is_model_floating_base", false);
+  bool floating_base = false;
+  auto inertia = NegativeInertia::kRefuse;
+  if (const auto block = top.find("ModelInterface")) {
+    block->knows({"model_type", "is_model_floating_base", "negative_inertia"}, config.warnings);
+    config.model_type = readModelType(*block, config.warnings);
+    floating_base = block->flagOr("is_model_floating_base", false);
+    const auto negative = block->find("negative_inertia");
+    if (negative && negative->oneOf({"refuse", "keep"}) == "keep") inertia = NegativeInertia::kKeep;
+  }
+  config.robot = describe(files, floating_base, inertia, config.warnings);
 }
 
 void readMaster(const Reader& top, RtConfig& config) {
@@ -90,10 +96,11 @@ RtConfig load(const std::filesystem::path& file, const Overrides& overrides) {
              "xbotcore_plugins"},
             config.warnings);
   const RobotFiles files = readFiles(top, config.warnings);
-  config.robot = describe(files, readModel(top, config), config.warnings);
+  readModel(top, files, config);
   readMaster(top, config);
   readOthers(top, config);
   config.hal = readHal(top, overrides, config.warnings);
+  readFollowing(top, config);
   config.threads = readThreads(top, config.hal, overrides, config.warnings);
   readPlugins(top, config);
   checkLimits(top, config);

@@ -18,6 +18,8 @@ class Groups {
   Groups(const XmlFile& xml, const Urdf& urdf, RobotDescription& robot, std::vector<std::string>& warnings)
       : xml_(xml), urdf_(urdf), robot_(robot), warnings_(warnings) {
     for (const auto& joint : robot.joints) commanded_.insert(joint.name);
+    for (const Element* joint : xml.children(xml.root(), "virtual_joint"))
+      virtual_.insert(xml.attribute(*joint, "name"));
     for (const Element* group : xml.children(xml.root(), "group")) {
       if (!groups_.emplace(xml.attribute(*group, "name"), group).second)
         xml.fail(*group, "is there twice; names must be unique");
@@ -25,6 +27,7 @@ class Groups {
   }
 
   void read() {
+    warnOfPassiveJoints();
     readChains();
     readImus();
     readForceTorques();
@@ -33,6 +36,14 @@ class Groups {
   }
 
  private:
+  // One that nothing drives.
+  void warnOfPassiveJoints() {
+    for (const Element* joint : xml_.children(xml_.root(), "passive_joint")) {
+      if (commanded_.contains(xml_.attribute(*joint, "name")))
+        warn(*joint, "is a passive_joint, and all the same in the joint map: it is commanded");
+    }
+  }
+
   // With a group `chains` its subgroups are meant, in that order; else every group that is a chain by itself.
   void readChains() {
     const auto list = groups_.find("chains");
@@ -65,12 +76,13 @@ class Groups {
 
   std::vector<const UrdfJoint*> pathOf(const Element& group, ChainDescription& chain, bool asked) {
     if (const auto ends = xml_.child(group, "chain")) {
-      chain.base_link = link(**ends, xml_.attribute(**ends, "base_link"));
-      chain.tip_link = link(**ends, xml_.attribute(**ends, "tip_link"));
+      chain.base_link = xml_.attribute(**ends, "base_link");
+      chain.tip_link = xml_.attribute(**ends, "tip_link");
+      if (!hasLink(group, chain.base_link) || !hasLink(group, chain.tip_link)) return {};
       auto path = urdf_.path(chain.base_link, chain.tip_link);
       if (path.empty())
-        xml_.fail(group, "goes from '" + chain.base_link + "' to '" + chain.tip_link +
-                             "', but the first does not carry the second");
+        warn(group, "goes from '" + chain.base_link + "' to '" + chain.tip_link +
+                        "', but the first does not carry the second: it is left out");
       return path;
     }
     return pathOfMembers(group, chain, asked);
@@ -103,9 +115,12 @@ class Groups {
 
   std::vector<const UrdfJoint*> membersOf(const Element& group) {
     std::vector<const UrdfJoint*> members;
-    for (const Element* joint : xml_.children(group, "joint")) members.push_back(&jointOf(*joint));
+    for (const Element* element : xml_.children(group, "joint")) {
+      if (const UrdfJoint* joint = jointOf(*element)) members.push_back(joint);
+    }
     for (const Element* element : xml_.children(group, "link")) {
-      const UrdfJoint* above = urdf_.above(link(*element, xml_.attribute(*element, "name")));
+      const std::string name = xml_.attribute(*element, "name");
+      const UrdfJoint* above = hasLink(*element, name) ? urdf_.above(name) : nullptr;
       if (above != nullptr) members.push_back(above);
     }
     return members;
@@ -115,11 +130,11 @@ class Groups {
     const auto group = groups_.find("imu_sensors");
     if (group == groups_.end()) return;
     for (const Element* element : xml_.children(*group->second, "link")) {
-      const std::string name = link(*element, xml_.attribute(*element, "name"));
-      robot_.imus.push_back({name, name});
+      const std::string name = xml_.attribute(*element, "name");
+      if (hasLink(*element, name)) robot_.imus.push_back({name, name});
     }
     for (const Element* element : xml_.children(*group->second, "joint")) {
-      robot_.imus.push_back({jointOf(*element).child, jointOf(*element).child});
+      if (const UrdfJoint* joint = jointOf(*element)) robot_.imus.push_back({joint->child, joint->child});
     }
     if (robot_.imus.size() > link::kMaxImus)
       xml_.fail(*group->second, "has more than " + std::to_string(link::kMaxImus) + " sensors");
@@ -129,12 +144,11 @@ class Groups {
     const auto group = groups_.find("force_torque_sensors");
     if (group == groups_.end()) return;
     for (const Element* element : xml_.children(*group->second, "joint")) {
-      const UrdfJoint& joint = jointOf(*element);
-      robot_.force_torques.push_back({joint.name, joint.child});
+      if (const UrdfJoint* joint = jointOf(*element)) robot_.force_torques.push_back({joint->name, joint->child});
     }
     for (const Element* element : xml_.children(*group->second, "link")) {
-      const std::string name = link(*element, xml_.attribute(*element, "name"));
-      robot_.force_torques.push_back({name, name});
+      const std::string name = xml_.attribute(*element, "name");
+      if (hasLink(*element, name)) robot_.force_torques.push_back({name, name});
     }
     if (robot_.force_torques.size() > link::kMaxForceTorques) {
       xml_.fail(*group->second, "has more than " + std::to_string(link::kMaxForceTorques) + " sensors");
@@ -144,7 +158,9 @@ class Groups {
   Posture readPosture(const Element& state) {
     Posture posture{xml_.attribute(state, "name"), xml_.attribute(state, "group"), {}};
     for (const Element* element : xml_.children(state, "joint")) {
-      const std::string& name = jointOf(*element).name;
+      const UrdfJoint* there = jointOf(*element);
+      if (there == nullptr) continue;
+      const std::string& name = there->name;
       const double value = xml_.number(*element, "value");
       const auto joint =
           std::find_if(robot_.joints.begin(), robot_.joints.end(), [&](const auto& j) { return j.name == name; });
@@ -157,18 +173,20 @@ class Groups {
     return posture;
   }
 
-  const UrdfJoint& jointOf(const Element& element) {
+  // SRDFs are shared by variants of a robot: what this one lacks is left out. MoveIt has virtual joints in its groups.
+  const UrdfJoint* jointOf(const Element& element) {
     const std::string name = xml_.attribute(element, "name");
     const UrdfJoint* joint = urdf_.find(name);
-    if (joint == nullptr) xml_.fail(element, "is not in the URDF" + didYouMean(name, urdf_.jointNames()));
-    return *joint;
+    if (joint == nullptr && !virtual_.contains(name))
+      warn(element, "is not in the URDF: it is left out" + didYouMean(name, urdf_.jointNames()));
+    return joint;
   }
 
-  std::string link(const Element& element, const std::string& name) {
-    if (!urdf_.hasLink(name))
-      xml_.fail(element,
-                "names the link '" + name + "', which is not in the URDF" + didYouMean(name, urdf_.linkNames()));
-    return name;
+  bool hasLink(const Element& element, const std::string& name) {
+    if (urdf_.hasLink(name)) return true;
+    warn(element, "names the link '" + name + "', which is not in the URDF: it is left out" +
+                      didYouMean(name, urdf_.linkNames()));
+    return false;
   }
 
   std::size_t depth(const UrdfJoint& joint) const {
@@ -194,6 +212,7 @@ class Groups {
   RobotDescription& robot_;
   std::vector<std::string>& warnings_;
   std::set<std::string> commanded_;
+  std::set<std::string> virtual_;  // names of joints between the robot and the world
   std::map<std::string, const Element*> groups_;
 };
 

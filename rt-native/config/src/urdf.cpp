@@ -44,7 +44,22 @@ UrdfJoint readJoint(const XmlFile& xml, const Element& element) {
   return joint;
 }
 
-void checkInertia(const XmlFile& xml, const Element& link) {
+void checkMoments(const XmlFile& xml, const Element& link, const Element& inertia, NegativeInertia negative,
+                  std::vector<std::string>& warnings) {
+  for (const char* moment : {"ixx", "iyy", "izz"}) {
+    if (xml.number(inertia, moment) >= 0) continue;
+    if (negative == NegativeInertia::kRefuse) {
+      xml.fail(link, "has a negative " + std::string(moment) +
+                         ", which no body has; mend it, or go on with ModelInterface: {negative_inertia: keep}");
+    }
+    const ConfigError kept(xml.place(link), "<link> '" + xml.attribute(link, "name") + "' has a negative " + moment +
+                                                ", which is kept: models compute with it, and MuJoCo may refuse it");
+    warnings.emplace_back(kept.what());
+  }
+}
+
+void checkInertia(const XmlFile& xml, const Element& link, NegativeInertia negative,
+                  std::vector<std::string>& warnings) {
   const auto inertial = xml.child(link, "inertial");
   if (!inertial) return;
   const auto mass = xml.child(**inertial, "mass");
@@ -52,21 +67,19 @@ void checkInertia(const XmlFile& xml, const Element& link) {
   if (xml.number(**mass, "value") < 0) xml.fail(link, "has a negative mass");
   const auto inertia = xml.child(**inertial, "inertia");
   if (!inertia) xml.fail(link, "has an <inertial> without <inertia ixx=\"...\" .../>");
-  for (const char* moment : {"ixx", "iyy", "izz"}) {
-    if (xml.number(**inertia, moment) < 0) xml.fail(link, "has a negative " + std::string(moment));
-  }
+  checkMoments(xml, link, **inertia, negative, warnings);
   for (const char* product : {"ixy", "ixz", "iyz"}) xml.number(**inertia, product);
 }
 
 }  // namespace
 
-Urdf::Urdf(const std::filesystem::path& file, const std::string& text) {
+Urdf::Urdf(const std::filesystem::path& file, const std::string& text, NegativeInertia inertia) {
   const XmlFile xml(file, text);
   name_ = xml.attribute(xml.root(), "name");
   for (const Element* link : xml.children(xml.root(), "link")) {
     if (!links_.emplace(xml.attribute(*link, "name"), xml.place(*link)).second)
       xml.fail(*link, "is there twice; names must be unique");
-    checkInertia(xml, *link);
+    checkInertia(xml, *link, inertia, warnings_);
   }
   if (links_.size() > kMostLinks) xml.fail(xml.root(), "has more than " + std::to_string(kMostLinks) + " links");
   for (const Element* element : xml.children(xml.root(), "joint")) {

@@ -26,10 +26,16 @@ struct UrdfJoint {
   bool moves() const { return type != "fixed"; }
 };
 
+// What becomes of moments of inertia below zero, which no body has, but some robots that are published.
+enum class NegativeInertia : std::uint8_t { kRefuse, kKeep };
+
 class Urdf {
  public:
   // Throws ConfigError where it is not a tree of links, or a number is none.
-  Urdf(const std::filesystem::path& file, const std::string& text);
+  Urdf(const std::filesystem::path& file, const std::string& text, NegativeInertia inertia);
+
+  // What was kept all the same.
+  const std::vector<std::string>& warnings() const noexcept { return warnings_; }
 
   const std::string& name() const noexcept { return name_; }
   const std::map<std::string, UrdfJoint>& joints() const noexcept { return joints_; }
@@ -45,6 +51,7 @@ class Urdf {
   void mustBeTree(const Place& whole) const;
 
   std::string name_;
+  std::vector<std::string> warnings_;
   std::map<std::string, Place> links_;
   std::map<std::string, UrdfJoint> joints_;
   std::map<std::string, std::string> above_;  // link -> joint whose child it is

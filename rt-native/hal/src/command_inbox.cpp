@@ -156,6 +156,11 @@ Answer CommandInbox::answer(std::uint16_t plugin) const noexcept {
   return thread->misses == 0 || thread->heard ? Answer::kFresh : Answer::kMissed;
 }
 
+bool CommandInbox::isNew(std::uint16_t plugin) const noexcept {
+  const Thread* const thread = threadOf(plugin);
+  return thread != nullptr && thread->heard;
+}
+
 const link::JointCommand& CommandInbox::command(std::uint16_t plugin, std::uint32_t joint) const noexcept {
   const Thread* const thread = threadOf(plugin);
   return thread->data[thread->current].joints[joint];

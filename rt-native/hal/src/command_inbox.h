@@ -59,6 +59,7 @@ class CommandInbox {
   void forgive(std::uint16_t plugin) noexcept;  // it was started anew
   void collect(std::uint64_t cycle, std::int64_t deadline_ns) noexcept;
   Answer answer(std::uint16_t plugin) const noexcept;
+  bool isNew(std::uint16_t plugin) const noexcept;  // its answer came in this cycle
   const link::JointCommand& command(std::uint16_t plugin, std::uint32_t joint) const noexcept;
 
   std::uint64_t missed() const noexcept { return missed_; }

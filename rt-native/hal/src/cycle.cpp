@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "robotui/rt/link/clock.h"
 #include "robotui/rt/link/relaxed.h"
@@ -19,8 +20,9 @@ link::Counts countsOf(const config::RobotDescription& robot) noexcept {
 
 Cycle::Cycle(const config::RobotDescription& robot, const CycleSettings& settings, Hal& hal,
              const link::BoardSegment& board, CommandInbox& inbox, SafeTorque& torque, link::StateSegment& state)
-    : settings_(settings), hal_(&hal), board_(board), inbox_(&inbox), torque_(&torque),
-      writer_(state, countsOf(robot)) {
+    : settings_(settings), hal_(&hal), board_(board), inbox_(&inbox), torque_(&torque), writer_(state, countsOf(robot)),
+      falls_(countsOf(robot).joints, static_cast<std::uint64_t>(std::max<std::int64_t>(
+                                         1, link::kSecond / std::max<std::int64_t>(1, settings.period_ns)))) {
   const link::Counts counts = countsOf(robot);
   measured_ = {std::span(frame_.joints).first(counts.joints), std::span(frame_.imus).first(counts.imus),
                std::span(frame_.force_torques).first(counts.force_torques)};
@@ -29,18 +31,23 @@ Cycle::Cycle(const config::RobotDescription& robot, const CycleSettings& setting
   references_.resize(counts.joints);
   torques_.resize(counts.joints);
   held_.resize(counts.joints);
+  astray_.resize(counts.joints);
+  settings_.following_errors.resize(counts.joints, std::numeric_limits<double>::infinity());
   link::relaxedStore(writer_.loop().period_ns, settings.period_ns);
 }
 
 void Cycle::run(std::uint64_t cycle, std::int64_t start_ns) noexcept {
   inbox_->begin();
+  falls_.begin(cycle);
   sense();
   assign();
+  follow();
   publish(cycle);
   inbox_->collect(cycle,
                   start_ns + static_cast<std::int64_t>(settings_.deadline * static_cast<double>(settings_.period_ns)));
   link::relaxedStore(writer_.loop().missed_commands, inbox_->missed());
   apply();
+  falls_.end();
   if (sensed_) move();
 }
 
@@ -95,6 +102,7 @@ void Cycle::assign() noexcept {
     const std::uint32_t grant = board_.grant(j);
     const std::uint16_t owner = board_.owner(j);
     if (joints_[j].belongs(owner, grant, measured_.joints[j])) inbox_->forgive(owner);
+    if (away_) fall(j, link::FallCause::kHardware);
     if (all_safe) joints_[j].makeSafe();
     if (owner != link::kNobody && !joints_[j].isSafe()) inbox_->want(owner);
   }
@@ -108,23 +116,65 @@ void Cycle::publish(std::uint64_t cycle) noexcept {
   writer_.ring();
 }
 
+// What fell over, is blocked, or pushes against something is not where its plugin believes it to be. Where it is, it
+// stays: it must not go on to push.
+void Cycle::follow() noexcept {
+  for (std::uint32_t j = 0; j < joints_.size(); ++j) {
+    JointControl& control = joints_[j];
+    const double error = control.followingError(measured_.joints[j]);
+    const bool is_led = silent_ == 0 && control.owner() != link::kNobody && !control.isSafe();
+    astray_[j] = is_led && error > settings_.following_errors[j] ? astray_[j] + 1 : 0;
+    if (astray_[j] < settings_.following_cycles) continue;
+    fall(j, link::FallCause::kFollowing, error);
+    control.anchor(measured_.joints[j]);
+    astray_[j] = 0;
+  }
+}
+
 bool Cycle::obey(std::uint32_t joint) noexcept {
-  JointControl& control = joints_[joint];
+  const JointControl& control = joints_[joint];
   if (control.isSafe() || control.owner() == link::kNobody) return false;
   switch (inbox_->answer(control.owner())) {
-    case Answer::kFresh: return control.command(inbox_->command(control.owner(), joint));
+    case Answer::kFresh: return obeyAnswer(joint);
     case Answer::kMissed: return false;
-    case Answer::kSafe: control.makeSafe(); return false;
+    case Answer::kSafe: fall(joint, link::FallCause::kMissed); return false;
   }
   return false;
 }
 
+// What is no command is none that was missed: after as many in turn the joint is safe, too.
+bool Cycle::obeyAnswer(std::uint32_t joint) noexcept {
+  JointControl& control = joints_[joint];
+  const std::uint16_t owner = control.owner();
+  const auto outcome = control.command(inbox_->command(owner, joint), inbox_->isNew(owner));
+  if (outcome == JointControl::Outcome::kRejected) {
+    falls_.refused(joint, control);
+    if (control.rejectedInTurn() >= settings_.misses_before_safe) fall(joint, link::FallCause::kRejected);
+  }
+  return outcome == JointControl::Outcome::kObeyed;
+}
+
+void Cycle::fall(std::uint32_t joint, link::FallCause cause, double error) noexcept {
+  if (joints_[joint].isSafe()) return;
+  joints_[joint].makeSafe();
+  falls_.fell(joint, joints_[joint], cause, error);
+}
+
+// A plugin falls as a whole: it must not move a part of a robot whose other part does not obey it.
+void Cycle::fallTogether() noexcept {
+  for (std::uint32_t j = 0; j < joints_.size(); ++j) {
+    if (joints_[j].isSafe() || !falls_.hasFallen(joints_[j].owner())) continue;
+    joints_[j].makeSafe();
+    falls_.fellToo(j, joints_[j].owner());
+    held_[j] = true;
+  }
+}
+
 void Cycle::apply() noexcept {
   bool torque_needed = false;
-  for (std::uint32_t j = 0; j < joints_.size(); ++j) {
-    held_[j] = !obey(j);
-    torque_needed |= held_[j] && joints_[j].holdsByEffort();
-  }
+  for (std::uint32_t j = 0; j < joints_.size(); ++j) held_[j] = !obey(j);
+  fallTogether();
+  for (std::uint32_t j = 0; j < joints_.size(); ++j) torque_needed |= held_[j] && joints_[j].holdsByEffort();
   if (torque_needed) torque_->compute(measured_, torques_);
   holdRest();
 }

@@ -7,6 +7,7 @@
 
 #include "command_inbox.h"
 #include "joint_control.h"
+#include "joint_falls.h"
 #include "robotui/rt/config/config.h"
 #include "robotui/rt/hal/hal.h"
 #include "robotui/rt/link/board.h"
@@ -20,6 +21,8 @@ struct CycleSettings {
   double deadline = 0.8;    // fraction of the period
   double safe_damping = 5;  // N m s/rad
   std::uint32_t misses_before_safe = 2;
+  std::vector<double> following_errors = {};  // by joint, rad or m; those that are not there are not supervised
+  std::uint64_t following_cycles = 500;       // in turn beyond that, and the joint falls
 };
 
 class Cycle {
@@ -40,6 +43,9 @@ class Cycle {
 
   link::LoopStatistics& statistics() noexcept { return writer_.loop(); }
 
+  // On one ordinary thread: what there is to tell of joints. False where there is nothing more.
+  bool takeEvent(link::JointEvent& into) noexcept { return falls_.take(into); }
+
  private:
   void sense() noexcept;
   bool areNumbers() noexcept;
@@ -47,7 +53,11 @@ class Cycle {
   void publish(std::uint64_t cycle) noexcept;
   void assign() noexcept;
   void apply() noexcept;
+  void follow() noexcept;
   bool obey(std::uint32_t joint) noexcept;
+  bool obeyAnswer(std::uint32_t joint) noexcept;
+  void fall(std::uint32_t joint, link::FallCause cause, double error = 0) noexcept;
+  void fallTogether() noexcept;
   double safeEffort(std::uint32_t joint) const noexcept;
   void holdRest() noexcept;
   void move() noexcept;
@@ -62,6 +72,8 @@ class Cycle {
   link::FrameData last_good_{};
   Measurements measured_;
   std::vector<JointControl> joints_;
+  JointFalls falls_;
+  std::vector<std::uint64_t> astray_;  // cycles in turn too far from the reference, by joint
   std::vector<Reference> references_;
   std::vector<double> torques_;
   std::vector<bool> held_;

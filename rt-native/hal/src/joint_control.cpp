@@ -21,17 +21,22 @@ bool JointControl::belongs(std::uint16_t owner, std::uint32_t grant, const link:
   owner_ = owner;
   if (anew) {
     safe_ = false;
+    rejected_in_turn_ = 0;
     anchor(measured);
   }
   return anew;
 }
 
-bool JointControl::command(const link::JointCommand& command) noexcept {
-  if (command.mode == 0) return false;
-  if (command.plugin != owner_ || !isSound(command)) {
+JointControl::Outcome JointControl::command(const link::JointCommand& command, bool is_new) noexcept {
+  if (command.mode == 0) return Outcome::kNothing;
+  const link::Objection objection = command.plugin != owner_ ? link::Objection::kNotOwner : objectionTo(command);
+  if (objection != link::Objection::kNone) {
+    objection_ = objection;
     ++rejected_;
-    return false;
+    if (is_new) ++rejected_in_turn_;
+    return Outcome::kRejected;
   }
+  rejected_in_turn_ = 0;
   Reference wanted = reference_;
   const std::uint8_t leading = command.mode & kLeading;
   wanted.mode = static_cast<std::uint8_t>((leading != 0 ? leading : reference_.mode & kLeading) |
@@ -43,7 +48,12 @@ bool JointControl::command(const link::JointCommand& command) noexcept {
   if ((command.mode & link::kDamping) != 0) wanted.damping = command.damping;
   send(wanted);
   control_ = link::Control::kCommanded;
-  return true;
+  return Outcome::kObeyed;
+}
+
+double JointControl::followingError(const link::JointState& measured) const noexcept {
+  const bool is_led = (reference_.mode & link::kPosition) != 0 && (reference_.mode & link::kImpedance) == 0;
+  return is_led ? std::abs(reference_.position - measured.link_position) : 0;
 }
 
 // References of modes that do not count are zero, so that a later command starts from there.

@@ -23,9 +23,20 @@ class JointControl {
   bool isSafe() const noexcept { return safe_; }
   std::uint16_t owner() const noexcept { return owner_; }
 
-  // What its plugin wants in this cycle: false where that is nothing, or no command that may be obeyed, and the joint
-  // is to hold.
-  bool command(const link::JointCommand& command) noexcept;
+  // What became of what its plugin wants in this cycle: the joint is to hold unless it was obeyed.
+  enum class Outcome : std::uint8_t { kNothing, kObeyed, kRejected };
+
+  // `is_new` is false for an answer that was looked at in a cycle before.
+  Outcome command(const link::JointCommand& command, bool is_new) noexcept;
+
+  // Of the last command that was rejected, and how many answers were so in turn.
+  link::Objection objection() const noexcept { return objection_; }
+  std::uint32_t rejectedInTurn() const noexcept { return rejected_in_turn_; }
+  std::uint32_t rejected() const noexcept { return rejected_; }
+  std::uint32_t grant() const noexcept { return grant_; }
+
+  // How far it is from where it was told to be, rad or m; zero where its mode lets it give way.
+  double followingError(const link::JointState& measured) const noexcept;
 
   // Whether hold() needs the effort of the safe law.
   bool holdsByEffort() const noexcept { return (reference_.mode & link::kEffort) != 0; }
@@ -47,6 +58,8 @@ class JointControl {
   std::uint32_t grant_ = 0;
   std::uint32_t clamped_ = 0;
   std::uint32_t rejected_ = 0;
+  std::uint32_t rejected_in_turn_ = 0;
+  link::Objection objection_ = link::Objection::kNone;
   std::uint16_t owner_ = link::kNobody;
   link::Control control_ = link::Control::kFree;
   bool safe_ = false;

@@ -25,13 +25,16 @@ bool cut(double& value, double lower, double upper) noexcept {
 
 }  // namespace
 
-bool isSound(const link::JointCommand& command) noexcept {
+link::Objection objectionTo(const link::JointCommand& command) noexcept {
   const std::uint8_t mode = command.mode;
-  return (mode & ~kKnownModes) == 0 && (!has(mode, link::kPosition) || std::isfinite(command.position)) &&
-         (!has(mode, link::kVelocity) || std::isfinite(command.velocity)) &&
-         (!has(mode, link::kEffort) || std::isfinite(command.effort)) &&
-         (!has(mode, link::kStiffness) || isGain(command.stiffness)) &&
-         (!has(mode, link::kDamping) || isGain(command.damping));
+  if ((mode & ~kKnownModes) != 0) return link::Objection::kUnknownMode;
+  const bool are_numbers = (!has(mode, link::kPosition) || std::isfinite(command.position)) &&
+                           (!has(mode, link::kVelocity) || std::isfinite(command.velocity)) &&
+                           (!has(mode, link::kEffort) || std::isfinite(command.effort));
+  if (!are_numbers) return link::Objection::kNoNumber;
+  const bool are_gains = (!has(mode, link::kStiffness) || isGain(command.stiffness)) &&
+                         (!has(mode, link::kDamping) || isGain(command.damping));
+  return are_gains ? link::Objection::kNone : link::Objection::kBadGain;
 }
 
 Limits::Limits(const config::JointDescription& joint, double period_s) noexcept

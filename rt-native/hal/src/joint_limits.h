@@ -3,12 +3,13 @@
 
 #include "robotui/rt/config/config.h"
 #include "robotui/rt/hal/hal.h"
+#include "robotui/rt/link/joint_event.h"
 #include "robotui/rt/link/layout.h"
 
 namespace robotui::rt::hal {
 
-// Whether all that the command means is a number, and nothing in it is unknown: else it is rejected whole.
-bool isSound(const link::JointCommand& command) noexcept;
+// What speaks against a command: something in it is unknown, or what it means is no number. Then it is rejected whole.
+link::Objection objectionTo(const link::JointCommand& command) noexcept;
 
 // Of one joint. Keeps no state: `last` is what went to the hardware before.
 class Limits {

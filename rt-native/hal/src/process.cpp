@@ -1,5 +1,6 @@
 #include "process.h"
 
+#include <algorithm>
 #include <charconv>
 #include <stdexcept>
 
@@ -9,7 +10,7 @@ namespace robotui::rt::hal {
 
 namespace {
 
-constexpr std::chrono::milliseconds kLook{100};
+constexpr std::chrono::milliseconds kLook{20};  // what there is to tell comes no later
 
 std::uint32_t generationOf(const link::BoardSegment& board) {
   auto data = std::make_unique<link::BoardData>();
@@ -32,7 +33,10 @@ CycleSettings cycleSettings(const config::HalConfig& hal) {
   return {.period_ns = std::chrono::nanoseconds(hal.period).count(),
           .deadline = hal.deadline,
           .safe_damping = hal.safe_damping,
-          .misses_before_safe = static_cast<std::uint32_t>(hal.misses_before_safe)};
+          .misses_before_safe = static_cast<std::uint32_t>(hal.misses_before_safe),
+          .following_errors = hal.following_errors,
+          .following_cycles = std::max<std::uint64_t>(
+              1, static_cast<std::uint64_t>(hal.following_time * 1e6 / static_cast<double>(hal.period.count())))};
 }
 
 }  // namespace
@@ -72,7 +76,8 @@ Process::~Process() {
 
 void Process::hosts(link::Packet& begin) {
   for (std::size_t i = 1; i < begin.descriptors.size(); ++i) {
-    inbox_->offer(static_cast<std::uint32_t>(i - 1), CommandInbox::HostView::open(std::move(begin.descriptors[i])));
+    inbox_->offer(static_cast<std::uint32_t>(i - 1),
+                  CommandInbox::HostView::openAsItIs(std::move(begin.descriptors[i])));
   }
 }
 
@@ -81,7 +86,7 @@ bool Process::replaceHost(link::Packet& packet) {
   const std::string_view index = packet.rest();
   std::from_chars(index.data(), index.data() + index.size(), host);
   if (host >= link::kMaxHosts || packet.descriptors.empty()) return false;
-  inbox_->offer(host, CommandInbox::HostView::open(std::move(packet.descriptors.front())));
+  inbox_->offer(host, CommandInbox::HostView::openAsItIs(std::move(packet.descriptors.front())));
   return true;
 }
 
@@ -90,6 +95,7 @@ void Process::obey(const link::Socket& supervisor, const std::atomic<bool>& ende
   while (!ended) {
     const link::Received received = supervisor.receive(packet, kLook);
     for (const std::string& sentence : hal_->news()) supervisor.send("log warn " + sentence);
+    for (link::JointEvent event; cycle_->takeEvent(event);) supervisor.send(link::textOf(event));
     if (received == link::Received::kTimeout) continue;
     if (received == link::Received::kClosed || packet.verb() == "end") break;
     if (packet.verb() != "host" || !replaceHost(packet))

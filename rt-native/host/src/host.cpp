@@ -54,7 +54,7 @@ void Host::openChannels(link::Packet& begin) {
   own_channels_ = link::Segment<ChannelSegment>::open(std::move(given[kFixedDescriptors]));
   std::vector<const ChannelSegment*> all;
   for (std::size_t i = kFixedDescriptors + 1; i < given.size(); ++i) {
-    channels_.push_back(link::Segment<const ChannelSegment>::open(std::move(given[i])));
+    channels_.push_back(link::Segment<const ChannelSegment>::openAsItIs(std::move(given[i])));
     all.push_back(channels_.back().get());
   }
   directory_ = std::make_unique<ChannelDirectory>(*own_channels_, std::move(all));

@@ -64,7 +64,7 @@ Attachment Client::attach(Milliseconds timeout) {
   result.state = Segment<const StateSegment>::open(std::move(packet.descriptors[0]));
   result.board = Segment<const BoardSegment>::open(std::move(packet.descriptors[1]));
   for (std::size_t i = 2; i < packet.descriptors.size(); ++i) {
-    result.hosts.push_back(Segment<const HostSegment>::open(std::move(packet.descriptors[i])));
+    result.hosts.push_back(Segment<const HostSegment>::openAsItIs(std::move(packet.descriptors[i])));
   }
   return result;
 }

@@ -62,19 +62,23 @@ void checkFile(const Descriptor& file, SegmentKind kind, std::size_t size) {
 void checkHeader(const void* data, SegmentKind kind, std::size_t size) {
   Header header;
   std::memcpy(&header, data, sizeof(header));
-  if (header.magic != kMagic) fail(kind, "does not begin with the mark of the link: it is something else.");
-  if (header.version != kLayoutVersion) {
-    fail(kind, "has layout version " + std::to_string(header.version) + ", this program knows " +
-                   std::to_string(kLayoutVersion) + ": update the older of both.");
-  }
-  if (header.segment != static_cast<std::uint32_t>(kind)) {
-    fail(kind, std::string("was expected, but a segment of kind ") + std::to_string(header.segment) + " came.");
-  }
-  if (header.size != size)
-    fail(kind, "says that it has " + std::to_string(header.size) + " bytes, not " + std::to_string(size) + ".");
+  if (const std::string fault = faultOf(header, kind, size); !fault.empty()) fail(kind, fault);
 }
 
 }  // namespace
+
+std::string faultOf(const Header& header, SegmentKind kind, std::size_t size) {
+  if (header.magic != kMagic) return "does not begin with the mark of the link: it is something else.";
+  if (header.version != kLayoutVersion) {
+    return "has layout version " + std::to_string(header.version) + ", this program knows " +
+           std::to_string(kLayoutVersion) + ": update the older of both.";
+  }
+  if (header.segment != static_cast<std::uint32_t>(kind))
+    return "was expected, but a segment of kind " + std::to_string(header.segment) + " came.";
+  if (header.size != size)
+    return "says that it has " + std::to_string(header.size) + " bytes, not " + std::to_string(size) + ".";
+  return {};
+}
 
 Mapping::Mapping(Mapping&& other) noexcept
     : file_(std::move(other.file_)), data_(std::exchange(other.data_, nullptr)), size_(std::exchange(other.size_, 0)) {}
@@ -113,6 +117,12 @@ Mapping Mapping::open(Descriptor file, SegmentKind kind, std::size_t size, bool 
   Mapping mapping(std::move(file), data, size);
   checkHeader(data, kind, size);
   return mapping;
+}
+
+Mapping Mapping::openAsItIs(Descriptor file, SegmentKind kind, std::size_t size) {
+  checkFile(file, kind, size);
+  void* const data = map(file, size, false, kind);
+  return Mapping(std::move(file), data, size);
 }
 
 void Mapping::sealAgainstWriters() const {

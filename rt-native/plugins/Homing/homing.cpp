@@ -1,6 +1,8 @@
 #include "homing.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 
 #include "chosen_joints.h"
@@ -20,9 +22,11 @@ bool Homing::init_control_plugin(Setup& setup) {
   const std::string posture = params["posture"].as<std::string>("home");
   speed_ = params["speed"].as<double>(speed_);
   least_seconds_ = params["time"].as<double>(0);
-  if (!(speed_ > 0 && speed_ <= 1) || !(least_seconds_ >= 0)) {
+  tolerance_ = params["tolerance"].as<double>(tolerance_);
+  if (!(speed_ > 0 && speed_ <= 1) || !(least_seconds_ >= 0) || !(tolerance_ > 0)) {
     setup.fail(
-        "`speed` must be a fraction of the velocity limits, above 0 and up to 1, and `time` a number of seconds.");
+        "`speed` must be a fraction of the velocity limits, above 0 and up to 1, `time` a number of seconds, and "
+        "`tolerance` above 0.");
     return false;
   }
   const auto wanted = chosenJoints(config::Reader(params, {}, setup.name()), setup.robot());
@@ -55,7 +59,7 @@ RtStatus Homing::on_start(double time) noexcept {
     const double speed = speed_ * (std::isfinite(limit) && limit > 0 ? limit : kUnlimited);
     seconds_ = std::max(seconds_, kPeakOfMean * std::abs(move.to - move.from) / speed);
   }
-  status_ = "moving";
+  status_.assign("moving");
   return RtStatus::ok();
 }
 
@@ -64,8 +68,31 @@ RtStatus Homing::control_loop(double time, double /*period*/) noexcept {
   for (const Move& move : moves_) {
     move.joint->setPositionReference(minimumJerk(move.from, move.to, done));
   }
-  status_ = done < 1 ? "moving" : "at home";
+  if (done < 1) {
+    status_.assign("moving");
+  } else {
+    sayWhereItIs();
+  }
   return RtStatus::ok();
+}
+
+// What was commanded is over; where the joints are is another matter.
+void Homing::sayWhereItIs() noexcept {
+  const Move* worst = &moves_.front();
+  const auto away = [](const Move& move) { return std::abs(move.joint->getJointPosition() - move.to); };
+  for (const Move& move : moves_) {
+    if (away(move) > away(*worst)) worst = &move;
+  }
+  if (away(*worst) <= tolerance_) {
+    status_.assign("at home");
+    return;
+  }
+  std::array<char, 32> number{};
+  const auto [end, error] =
+      std::to_chars(number.data(), number.data() + number.size(), away(*worst), std::chars_format::fixed, 2);
+  const std::string_view text =
+      error == std::errc() ? std::string_view(number.data(), static_cast<std::size_t>(end - number.data())) : "far";
+  status_.assign(worst->joint->description().name).append(" is ").append(text).append(" away from home");
 }
 
 }  // namespace robotui::rt::plugins

@@ -70,6 +70,26 @@ TEST(Homing, TakesOnlyTheJointsItIsGiven) {
   EXPECT_EQ(robot.commanded(), 1);
 }
 
+// A robot that fell, or whose joint is blocked, was told all the same.
+TEST(Homing, IsAtHomeOnlyWhereTheJointsAre) {
+  FakeRobot robot(3);
+  FakeSetup setup(robot, "{tolerance: 0.1}");
+  Homing homing;
+  PluginBench bench(homing, setup);
+  ASSERT_TRUE(bench.init());
+  bench.start();
+  bench.run(10);
+  robot.put("j2", 0.59);
+  bench.cycles(1);
+  EXPECT_EQ(homing.status(), "at home");
+  robot.put("j2", -1.35);
+  bench.cycles(1);
+  EXPECT_EQ(homing.status(), "j2 is 1.85 away from home");
+  EXPECT_EQ(bench.allocations(), 0u);
+  bench.cycles(1);
+  EXPECT_EQ(homing.status(), "at home");
+}
+
 TEST(Homing, NamesAPostureThatIsNotThere) {
   FakeRobot robot(1);
   FakeSetup setup(robot, "{posture: nowhere}");

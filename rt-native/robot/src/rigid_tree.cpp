@@ -1,5 +1,6 @@
 #include "robotui/rt/robot/rigid_tree.h"
 
+#include <algorithm>
 #include <numeric>
 #include <stdexcept>
 
@@ -77,6 +78,11 @@ class Builder {
     tree_.links[link.name] = {body, in_body};
     if (link.inertial) addInertia(tree_.bodies[static_cast<std::size_t>(body)], *link.inertial, in_body);
     for (const auto& collision : link.collision_array) addShape(*collision, body, in_body);
+    const auto isMesh = [](const urdf::CollisionSharedPtr& collision) {
+      return collision->geometry && collision->geometry->type == urdf::Geometry::MESH;
+    };
+    if (std::any_of(link.collision_array.begin(), link.collision_array.end(), isMesh))
+      tree_.mesh_links.push_back(link.name);
     for (const auto& joint : link.child_joints)
       addJoint(*joint, body, in_body * isometry(joint->parent_to_joint_origin_transform));
   }

@@ -22,7 +22,7 @@ Supervision::Supervision(int control) {
   }
   own_ = link::Segment<link::ChannelSegment>::open(std::move(begin.descriptors.front()));
   for (std::size_t i = 1; i < begin.descriptors.size(); ++i) {
-    hosts_.push_back(link::Segment<const link::ChannelSegment>::open(std::move(begin.descriptors[i])));
+    hosts_.push_back(link::Segment<const link::ChannelSegment>::openAsItIs(std::move(begin.descriptors[i])));
   }
 }
 

@@ -35,13 +35,14 @@ void ClientRequests::dispatch(std::uint64_t client, const link::Packet& packet) 
     master_.take(client, rest);
   } else if (verb == "release") {
     master_.release(client);
+  } else if (verb == "follower") {
+    master_.follower(client);
   } else if (verb == "describe") {
     robot_.describe(client, rest);
   } else {
-    replies_.answer(
-        client,
-        "The request " + quoted(verb) +
-            " is not known. There are: attach, switch, reload, command, status, take, release, describe, reference.");
+    replies_.answer(client, "The request " + quoted(verb) +
+                                " is not known. There are: attach, switch, reload, command, status, take, release, "
+                                "follower, describe, reference.");
   }
 }
 

@@ -2,7 +2,9 @@
 #include <getopt.h>
 #include <unistd.h>
 
+#include <charconv>
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
@@ -12,6 +14,7 @@
 
 #include "ctl_table.h"
 #include "robotui/rt/link/board.h"
+#include "robotui/rt/link/state.h"
 
 namespace {
 
@@ -35,6 +38,7 @@ constexpr const char* kUsage = R"(robotui-rt-ctl [--name NAME] COMMAND
   reload PLUGIN                load its library and its parameters anew
   reference JOINT=POSITION... [--for SECONDS]
                                command joints as the master framework (the communication plugin must run)
+Each says what happened: 0 where it is done, 1 where it is not, 2 where the command is not understood.
 NAME is the robot's; it can be left out where one robot runs.
 )";
 
@@ -103,33 +107,102 @@ std::uint32_t jointNamed(const link::BoardData& board, const std::string& name) 
   throw Wrong("The robot has no joint '" + name + "'.");
 }
 
-std::vector<link::JointCommand> references(const link::BoardData& board, const std::vector<std::string>& wishes) {
-  std::vector<link::JointCommand> commands(board.joints);
-  for (const std::string& wish : wishes) {
-    const std::size_t sign = wish.find('=');
-    if (sign == std::string::npos) {
-      throw Wrong("A reference is JOINT=POSITION, not '" + wish + "'.");
-    }
-    auto& command = commands[jointNamed(board, wish.substr(0, sign))];
-    command.position = std::stod(wish.substr(sign + 1));
-    command.mode = link::kPosition;
+double numberOf(const std::string& text, const std::string& what) {
+  double value = 0;
+  const char* const behind = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), behind, value);
+  if (error != std::errc() || end != behind || !std::isfinite(value)) {
+    throw Wrong("'" + text + "' of " + what + " is no finite number.");
   }
-  return commands;
+  return value;
 }
 
-int sendReferences(Client& client, const std::vector<std::string>& wishes, double seconds) {
+struct Wish {
+  std::uint32_t joint;
+  double position;
+};
+
+std::vector<Wish> wishesOf(const link::BoardData& board, const std::vector<std::string>& words) {
+  std::vector<Wish> wishes;
+  for (const std::string& word : words) {
+    const std::size_t sign = word.find('=');
+    if (sign == std::string::npos) {
+      throw Wrong("A reference is JOINT=POSITION, not '" + word + "'.");
+    }
+    const std::uint32_t joint = jointNamed(board, word.substr(0, sign));
+    wishes.push_back({joint, numberOf(word.substr(sign + 1), "the reference " + word)});
+    const link::JointEntry& entry = board.joint[joint];
+    if (wishes.back().position < entry.lower || wishes.back().position > entry.upper) {
+      std::cerr << word << " is beyond the limits of the joint, " << entry.lower << " and " << entry.upper
+                << ": it goes as far as that.\n";
+    }
+  }
+  if (wishes.empty()) {
+    throw Wrong("reference needs JOINT=POSITION, such as reference elbow=0.5 --for 2.");
+  }
+  return wishes;
+}
+
+// Where the joints are now that it is over: 0, or 1 where one did not obey.
+int outcomeOf(const link::Attachment& attachment, const link::BoardData& board, const std::vector<Wish>& wishes) {
+  auto frame = std::make_unique<link::FrameData>();
+  link::StateReader reader(*attachment.state);
+  for (int i = 0; i < 100 && reader.newest(*frame) != link::Read::kNew; ++i)
+    std::this_thread::sleep_for(kReferencePeriod);
+  int rc = 0;
+  for (const Wish& wish : wishes) {
+    const link::JointState& joint = frame->joints[wish.joint];
+    const auto control = static_cast<link::Control>(joint.control);
+    const bool obeyed = control == link::Control::kCommanded || control == link::Control::kHolding;
+    (obeyed ? std::cout : std::cerr) << link::view(board.joint[wish.joint].name) << " is at " << joint.link_position
+                                     << (obeyed ? "" : ", and did not obey: robotui-rt-ctl joints says why") << '\n';
+    rc = obeyed ? rc : 1;
+  }
+  return rc;
+}
+
+// Whether a plugin follows references: who sends them to nobody must know it.
+int sayWhoFollows(Client& client) {
+  const link::Reply follower = client.request("follower", kReply);
+  return follower.ok ? 0 : print(follower);
+}
+
+int sendReferences(Client& client, const std::vector<std::string>& words, double seconds) {
   const link::Attachment attachment = client.attach(kReply);
   auto board = std::make_unique<link::BoardData>();
   link::BoardReader(*attachment.board).read(*board);
-  const auto commands = references(*board, wishes);
-  if (const int rc = print(client.request("take 1", kReply)); rc != 0) {
-    return rc;
+  const std::vector<Wish> wishes = wishesOf(*board, words);
+  std::vector<link::JointCommand> commands(board->joints);
+  for (const Wish& wish : wishes) {
+    commands[wish.joint].position = wish.position;
+    commands[wish.joint].mode = link::kPosition;
   }
+  if (const int rc = sayWhoFollows(client); rc != 0) return rc;
+  if (const link::Reply taken = client.request("take 1", kReply); !taken.ok) return print(taken);
   const auto until = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
   while (std::chrono::steady_clock::now() < until && client.reference(commands)) {
     std::this_thread::sleep_for(kReferencePeriod);
   }
-  return print(client.request("release", kReply));
+  const int followed = sayWhoFollows(client);
+  const int rc = followed != 0 ? followed : outcomeOf(attachment, *board, wishes);
+  const link::Reply released = client.request("release", kReply);
+  return released.ok ? rc : print(released);
+}
+
+// What became of a request that was granted.
+std::string doneWords(const std::string& command, const std::vector<std::string>& words) {
+  const std::string plugin = words.empty() ? std::string() : words.front();
+  if (command == "switch" && words.size() > 1) return plugin + (words[1] == "1" ? " runs." : " is stopped.");
+  if (command == "reload") return plugin + " is loaded anew, and stopped.";
+  if (command == "command") return plugin + " has taken it.";
+  return "ok";
+}
+
+int ask(Client& client, const std::string& command, const std::vector<std::string>& words) {
+  link::Reply reply =
+      client.request(command + (words.empty() ? "" : " ") + joined(words), command == "reload" ? kReload : kReply);
+  if (reply.ok && reply.text.empty()) reply.text = doneWords(command, words);
+  return print(reply);
 }
 
 struct Call {
@@ -148,14 +221,15 @@ Call parse(int argc, char** argv) {
   for (int key = 0; (key = getopt_long(argc, argv, "+n:h", known, nullptr)) != -1;) {
     switch (key) {
       case 'n': call.robot = optarg; break;
-      case 'f': call.seconds = std::stod(optarg); break;
+      case 'f': call.seconds = numberOf(optarg, "--for"); break;
+      case 'h': call.command = "help"; break;
       default: throw Wrong(kUsage);
     }
   }
   for (int i = optind; i < argc; ++i) {
     const std::string word = argv[i];
     if (word == "--for" && i + 1 < argc) {
-      call.seconds = std::stod(argv[++i]);
+      call.seconds = numberOf(argv[++i], "--for");
     } else if (call.command.empty()) {
       call.command = word;
     } else {
@@ -169,6 +243,10 @@ int work(const Call& call) {
   if (call.command.empty()) {
     throw Wrong(kUsage);
   }
+  if (call.command == "help") {
+    std::cout << kUsage;
+    return 0;
+  }
   Client client(call.robot.empty() ? onlyRobot() : call.robot, kConnect);
   if (call.command == "list") {
     std::cout << pluginTable(client.attach(kReply));
@@ -177,12 +255,11 @@ int work(const Call& call) {
   } else if (call.command == "loops") {
     std::cout << loopTable(client.attach(kReply));
   } else if (call.command == "watch") {
-    return watch(client, call.words.empty() ? 1e9 : std::stod(call.words.front()));
+    return watch(client, call.words.empty() ? 1e9 : numberOf(call.words.front(), "watch"));
   } else if (call.command == "reference") {
     return sendReferences(client, call.words, call.seconds > 0 ? call.seconds : 2);
   } else {
-    const std::string words = call.command + (call.words.empty() ? "" : " ") + joined(call.words);
-    return print(client.request(words, call.command == "reload" ? kReload : kReply));
+    return ask(client, call.command, call.words);
   }
   return 0;
 }

@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <iomanip>
 #include <memory>
 #include <sstream>
+#include <stdexcept>
+#include <thread>
 
 #include "robotui/rt/link/board.h"
 #include "robotui/rt/link/histogram.h"
+#include "robotui/rt/link/host_damage.h"
 #include "robotui/rt/link/relaxed.h"
 #include "robotui/rt/link/state.h"
 
@@ -23,9 +27,20 @@ const char* word(const std::array<const char*, kSize>& words, std::uint32_t valu
   return value < kSize ? words[value] : "?";
 }
 
+// On a busy machine the writer may have to wait in the middle of its writing.
+template <typename Try>
+void read(const Try& attempt, const char* what) {
+  for (int i = 0; i < 100; ++i) {
+    if (attempt() == link::Read::kNew) return;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  throw std::runtime_error(std::string("The ") + what +
+                           " of the robot cannot be read: its writer stopped in the middle.");
+}
+
 std::unique_ptr<link::BoardData> boardOf(const link::Attachment& attachment) {
   auto data = std::make_unique<link::BoardData>();
-  link::BoardReader(*attachment.board).read(*data);
+  read([&] { return link::BoardReader(*attachment.board).read(*data); }, "board");
   return data;
 }
 
@@ -47,6 +62,49 @@ std::string counts(const link::JointState& joint) {
   return none ? "" : "  " + std::to_string(joint.clamped) + " cut, " + std::to_string(joint.rejected) + " refused";
 }
 
+// What a broken plugin has left in the memory of its host is named, and not shown.
+std::string damages(const link::Attachment& attachment, const link::BoardData& board) {
+  std::string text;
+  for (std::uint32_t host = 0; host < attachment.hosts.size() && host < board.hosts; ++host) {
+    const std::string damage = link::damageOf(*attachment.hosts[host]);
+    if (!damage.empty()) {
+      text += "The memory of the host " + std::string(link::view(board.host[host].name)) + " is damaged (" + damage +
+              "): what stands there is left out.\n";
+    }
+  }
+  return text;
+}
+
+// Why joints are safe: what is known of the plugins that own them.
+std::string reasons(const link::BoardData& board, const link::FrameData& frame) {
+  std::string text;
+  for (std::uint32_t i = 0; i < board.plugins; ++i) {
+    const auto end = frame.joints.begin() + board.joints;
+    const bool is_safe = std::any_of(frame.joints.begin(), end, [&](const link::JointState& joint) {
+      return joint.owner == i && joint.control == static_cast<std::uint8_t>(link::Control::kSafe);
+    });
+    const std::string_view error = link::view(board.plugin[i].error);
+    if (is_safe && !error.empty()) {
+      text += std::string(link::view(board.plugin[i].name)) + " is " + word(kStates, board.plugin[i].state) + ": " +
+              std::string(error) + "\n";
+    }
+  }
+  return text;
+}
+
+// What runs in a thread: its state is that of the board, as everywhere.
+std::string pluginsIn(const link::BoardData& board, std::uint32_t host, std::uint32_t thread) {
+  std::string text;
+  for (std::uint32_t i = 0; i < board.plugins; ++i) {
+    const auto& plugin = board.plugin[i];
+    if (plugin.host == host && plugin.thread == thread) {
+      text += (text.empty() ? "  " : ", ") + std::string(link::view(plugin.name)) + " " + word(kStates, plugin.state) +
+              (link::view(plugin.error).empty() ? "" : " (list says why)");
+    }
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string pluginTable(const link::Attachment& attachment) {
@@ -58,13 +116,14 @@ std::string pluginTable(const link::Attachment& attachment) {
     out << std::left << std::setw(26) << link::view(plugin.name) << std::setw(10) << word(kStates, plugin.state)
         << std::setw(10) << link::view(board->host[host].name) << link::view(plugin.error) << '\n';
   }
+  out << damages(attachment, *board);
   return out.str();
 }
 
 std::string jointTable(const link::Attachment& attachment) {
   const auto board = boardOf(attachment);
   auto frame = std::make_unique<link::FrameData>();
-  link::StateReader(*attachment.state).newest(*frame);
+  read([&] { return link::StateReader(*attachment.state).newest(*frame); }, "state");
   std::ostringstream out;
   out << std::fixed << std::setprecision(4);
   for (std::uint32_t i = 0; i < board->joints; ++i) {
@@ -73,6 +132,7 @@ std::string jointTable(const link::Attachment& attachment) {
         << joint.link_position << std::setw(10) << joint.position_reference << "  " << std::left << std::setw(10)
         << word(kControls, joint.control) << ownerName(*board, joint.owner) << counts(joint) << '\n';
   }
+  out << reasons(*board, *frame) << damages(attachment, *board);
   return out.str();
 }
 
@@ -88,6 +148,7 @@ std::string loopTable(const link::Attachment& attachment) {
   out << '\n';
   for (std::uint32_t host = 0; host < attachment.hosts.size() && host < board->hosts; ++host) {
     const auto& segment = *attachment.hosts[host];
+    if (!link::damageOf(segment).empty()) continue;
     const std::uint32_t threads = std::min(link::relaxedLoad(segment.threads), link::kMaxThreads);
     for (std::uint32_t i = 0; i < threads; ++i) {
       const auto& thread = segment.thread_statistics[i];
@@ -96,9 +157,10 @@ std::string loopTable(const link::Attachment& attachment) {
           << link::relaxedLoad(thread.allocations) << " allocations";
       addHistogram(out, "wake-up", thread.wake_up);
       addHistogram(out, "busy", thread.busy);
-      out << '\n';
+      out << pluginsIn(*board, host, i) << '\n';
     }
   }
+  out << damages(attachment, *board);
   return out.str();
 }
 

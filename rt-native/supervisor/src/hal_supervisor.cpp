@@ -33,6 +33,10 @@ void HalSupervisor::receive() {
       log_.relay("hal", packet.rest());
       continue;
     }
+    if (packet.verb() == "joints") {
+      joints_.handle(packet.rest(), link::now());
+      continue;
+    }
     const bool was_open = hal_.isOpen();
     try {
       hal_.handle(packet);

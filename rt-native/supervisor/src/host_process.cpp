@@ -3,8 +3,10 @@
 #include <signal.h>
 
 #include <algorithm>
+#include <cstring>
 
 #include "robotui/rt/link/clock.h"
+#include "robotui/rt/link/host_damage.h"
 #include "robotui/rt/link/relaxed.h"
 
 namespace robotui::rt::supervisor {
@@ -22,6 +24,8 @@ HostProcess::HostProcess(std::uint32_t index, const config::HostPlan& plan)
 void HostProcess::spawn(const std::vector<std::string>& arguments, const std::vector<int>& common,
                         const std::vector<int>& channels) {
   segment_ = link::Segment<link::HostSegment>::create(++generation_);
+  header_ = segment_->header;
+  damage_.clear();
   resetChannels();
   progress_.assign(plan_.threads.size(), {});
   ready_ = false;
@@ -41,6 +45,13 @@ void HostProcess::spawn(const std::vector<std::string>& arguments, const std::ve
     words += deaths >= kMostDeathsAtLoading ? " " + plugin : "";
   }
   child_.socket().send(words, given);
+}
+
+// Readers must not find what was written there, also where it is not started again.
+void HostProcess::restore() {
+  segment_ = link::Segment<link::HostSegment>::create(++generation_);
+  header_ = segment_->header;
+  resetChannels();
 }
 
 // Its memory outlives it, since others have mapped it: nothing of the process before may stay.
@@ -73,6 +84,9 @@ void HostProcess::watch(std::uint64_t hal_cycle, std::int64_t hal_period_ns, std
   if (!child_.isAlive()) {
     return;
   }
+  if (damage_.empty() && !(damage_ = damage()).empty()) {
+    child_.kill("its memory was damaged (" + damage_ + "): a plugin of it wrote where it must not");
+  }
   if (!loading_.empty() && now_ns - loading_since_ > kLoadingNs) {
     child_.kill("the plugin " + loading_ + " was not made ready within a minute");
   }
@@ -81,6 +95,19 @@ void HostProcess::watch(std::uint64_t hal_cycle, std::int64_t hal_period_ns, std
       child_.kill("its thread " + plan_.threads[i].name + " did not answer any more");
     }
   }
+}
+
+// What a plugin could write is what this process wrote before, or what the host may write there.
+std::string HostProcess::damage() const {
+  const auto isSame = [](const link::Header& now, const link::Header& then) {
+    return std::memcmp(&now, &then, sizeof(now)) == 0;
+  };
+  const std::string damage = link::damageOf(*segment_);
+  if (!damage.empty()) return damage;
+  if (!isSame(link::relaxedCopy(segment_->header), header_)) return "its head is overwritten";
+  if (!isSame(link::relaxedCopy(channels_->header), channel_header_)) return "the head of its channels is overwritten";
+  const std::uint32_t threads = link::relaxedLoad(segment_->threads);
+  return ready_ && threads != plan_.threads.size() ? "the number of its threads is overwritten" : "";
 }
 
 bool HostProcess::isStuck(std::uint32_t thread, std::uint64_t hal_cycle, std::int64_t hal_period_ns,
@@ -109,7 +136,8 @@ HostProcess::Death HostProcess::ended(const std::string& how, std::int64_t now_n
   std::string at_work;
   for (std::uint32_t i = 0; i < plan_.threads.size(); ++i) {
     const std::uint32_t plugin = segment_->thread_statistics[i].inside.load(std::memory_order_relaxed);
-    if (generation_ != 0 && ready_ && plugin < link::kMaxPlugins && death.at_work.insert(plugin).second) {
+    if (generation_ != 0 && ready_ && damage_.empty() && plugin < link::kMaxPlugins &&
+        death.at_work.insert(plugin).second) {
       at_work += (at_work.empty() ? " in the plugin " : " or ") + name_of(plugin);
     }
   }
@@ -117,6 +145,7 @@ HostProcess::Death HostProcess::ended(const std::string& how, std::int64_t now_n
   ready_ = false;
   loading_.clear();
   respawns_.ended(now_ns);
+  if (!damage_.empty()) restore();
   return death;
 }
 

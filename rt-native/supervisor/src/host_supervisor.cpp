@@ -101,6 +101,7 @@ void HostSupervisor::ended(std::uint32_t index, const std::string& how) {
     log_.error("The host " + host.name() + " is not started any more.");
     events_.hostGivenUp(index, sentence);
   }
+  replies_.announceChange();  // its memory may be another one now
 }
 
 void HostSupervisor::respawn(std::int64_t now_ns) {

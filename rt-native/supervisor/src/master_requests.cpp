@@ -30,6 +30,20 @@ void MasterRequests::take(std::uint64_t client, std::string_view words) {
 
 void MasterRequests::release(std::uint64_t client) { replies_.answer(client, master_.release(client)); }
 
+void MasterRequests::follower(std::uint64_t client) {
+  const auto plugin = registry_.masterPlugin();
+  if (!plugin) {
+    replies_.answer(client, "No plugin here follows references: add XBotCommunicationPlugin to XBotRTPlugins.");
+  } else if (registry_.state(*plugin) != link::PluginState::kRunning) {
+    const std::string& name = registry_.name(*plugin);
+    replies_.answer(client, "Nobody follows references: " + name + " is " +
+                                std::string(nameOf(registry_.state(*plugin))) + ". Start it: robotui-rt-ctl switch " +
+                                name + " 1.");
+  } else {
+    replies_.reply(client, "ok " + registry_.name(*plugin));
+  }
+}
+
 void MasterRequests::reference(std::uint64_t client, std::string_view bytes) {
   const std::int64_t now = link::now();
   const std::string objection = master_.reference(client, bytes, now);

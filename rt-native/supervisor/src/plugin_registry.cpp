@@ -56,6 +56,14 @@ std::vector<std::uint32_t> PluginRegistry::ofHost(std::uint32_t host) const {
   return all;
 }
 
+std::optional<std::uint32_t> PluginRegistry::masterPlugin() const {
+  std::optional<std::uint32_t> found;
+  for (std::uint32_t i = 0; i < size(); ++i) {
+    if (plugins_[i].role == PluginRole::kMaster && (!found || isActive(i))) found = i;
+  }
+  return found;
+}
+
 std::string PluginRegistry::unknown(std::string_view name) const {
   return "There is no plugin '" + std::string(name.substr(0, link::kNameLength)) +
          "'. There are: " + link::listed(plugins_, &Plugin::name, "none") + ".";
@@ -143,13 +151,25 @@ void PluginRegistry::starting(std::uint32_t plugin) {
 
 void PluginRegistry::started(std::uint32_t plugin) { set(plugin, PluginState::kRunning, {}); }
 
-void PluginRegistry::stopping(std::uint32_t plugin) { set(plugin, PluginState::kStopping, {}); }
+void PluginRegistry::stopping(std::uint32_t plugin) {
+  releaseJoints(plugin);
+  set(plugin, PluginState::kStopping, {});
+}
+
+void PluginRegistry::fell(std::uint32_t plugin, std::string_view sentence) {
+  set(plugin, PluginState::kStopping, sentence);
+}
 
 void PluginRegistry::stopped(std::uint32_t plugin) {
+  const std::string why(link::view(board_.data().plugin[plugin].error));
+  if (why.empty()) releaseJoints(plugin);
+  set(plugin, PluginState::kStopped, why);
+}
+
+void PluginRegistry::releaseJoints(std::uint32_t plugin) {
   for (const std::uint32_t joint : plugins_[plugin].joints) {
     board_.release(joint, plugin);
   }
-  set(plugin, PluginState::kStopped, {});
 }
 
 void PluginRegistry::failed(std::uint32_t plugin, std::string_view sentence) {
@@ -161,7 +181,8 @@ void PluginRegistry::lost(std::uint32_t plugin, std::string_view sentence) {
     return;
   }
   board_.edit().plugin[plugin].respawns += 1;
-  set(plugin, PluginState::kAbsent, sentence);
+  const std::string before(link::view(board_.data().plugin[plugin].error));
+  set(plugin, PluginState::kAbsent, sentence.empty() ? before : sentence);
 }
 
 void PluginRegistry::set(std::uint32_t plugin, PluginState state, std::string_view error) {

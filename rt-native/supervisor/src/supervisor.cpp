@@ -22,10 +22,11 @@ Supervisor::Supervisor(const Options& options, const config::RtConfig& config, c
       pending_([this](std::uint64_t client, const std::string& text) { replies_.reply(client, text); }),
       events_(registry_, pending_, log),
       hosts_(options, plan, {hal_process_, board_, master_, ros_process_}, events_, replies_, log),
-      hal_(options, config, hal_process_, board_, hosts_, replies_, log), ros_(options, ros_process_, hosts_, log),
-      plugin_requests_(registry_, hosts_, pending_, board_, replies_),
+      joint_events_(config, plan, registry_, hosts_, pending_, log),
+      hal_(options, config, hal_process_, board_, hosts_, joint_events_, replies_, log),
+      ros_(options, ros_process_, hosts_, log), plugin_requests_(registry_, hosts_, pending_, board_, replies_),
       robot_requests_(config.robot, hal_process_, hosts_, board_, replies_),
-      master_requests_(master_, options.communication.enabled, replies_, log),
+      master_requests_(master_, registry_, options.communication.enabled, replies_, log),
       requests_(plugin_requests_, robot_requests_, master_requests_, replies_, log) {}
 
 // Whatever goes wrong here, the HAL is told to end: it must not be killed with the robot in motion.
@@ -71,6 +72,7 @@ void Supervisor::turn() {
   hosts_.turn();
   serving_ = serving_ || hosts_.areSettled();
   const std::int64_t now = link::now();
+  joint_events_.turn(now);
   if (!ending_) {
     hal_.respawn(now);
     hosts_.respawn(now);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 
 #include "robotui/rt/config/reader.h"
 #include "workspace.h"
@@ -27,6 +28,61 @@ TEST(Load, TheLeastConfigurationHasSafeDefaults) {
   ASSERT_EQ(config.threads.size(), 1U);
   EXPECT_EQ(config.threads[0].name, "rt_main");
   EXPECT_TRUE(config.warnings.empty());
+}
+
+TEST(Load, JointsAreSupervisedUnlessThatIsTurnedOff) {
+  const double none = std::numeric_limits<double>::infinity();
+  const auto limits = [](const std::string& more) { return Workspace{}.load(more).hal.following_errors; };
+  EXPECT_EQ(limits(""), (std::vector<double>{0.5, 0.5}));
+  EXPECT_EQ(limits("HALInterface: {following_error: 0.2}\n"), (std::vector<double>{0.2, 0.2}));
+  EXPECT_EQ(limits("HALInterface: {following_error: 0}\n"), (std::vector<double>{none, none}));
+  EXPECT_EQ(limits("HALInterface: {following_error: {elbow: 0.1}}\n"), (std::vector<double>{0.5, 0.1}));
+  EXPECT_EQ(limits("HALInterface: {following_error: {elbow: 0, default: 0.3}}\n"), (std::vector<double>{0.3, none}));
+  EXPECT_EQ(Workspace{}.load("HALInterface: {following_time: 0.05}\n").hal.following_time, 0.05);
+}
+
+TEST(Load, ANegativeInertiaIsKeptAndWarnedOfWhereThatIsWanted) {
+  const Workspace at;
+  at.write("robot.urdf", replaced(kUrdf, R"(ixx="0.1")", R"(ixx="-0.1")"));
+  const auto config = at.load("ModelInterface: {negative_inertia: keep}\n");
+  ASSERT_EQ(config.warnings.size(), 1U);
+  EXPECT_TRUE(anyContains(config.warnings, "robot.urdf:4: <link> 'upper' has a negative ixx, which is kept"));
+  EXPECT_THROW(at.load("ModelInterface: {negative_inertia: maybe}\n"), ConfigError);
+}
+
+// As they are published: with elements of MoveIt, and with groups of variants that this robot is not.
+TEST(Load, AnSrdfMayNameWhatTheUrdfLacks) {
+  const Workspace at;
+  at.write("robot.srdf", R"(<?xml version="1.0"?>
+<robot name="two">
+  <virtual_joint name="world_joint" type="floating" parent_frame="world" child_link="base"/>
+  <passive_joint name="caster"/>
+  <passive_joint name="elbow"/>
+  <group name="imu_sensors"><link name="base"/><link name="head"/></group>
+  <group name="force_torque_sensors"><joint name="wrist_mount"/><joint name="ankle"/></group>
+  <group name="arm"><chain base_link="base" tip_link="hand"/></group>
+  <group name="other_arm"><chain base_link="base" tip_link="other_hand"/></group>
+  <group name="backwards"><chain base_link="hand" tip_link="base"/></group>
+  <group name="moveit"><joint name="world_joint"/><joint name="shoulder"/><joint name="finger"/><link name="nail"/></group>
+  <end_effector name="gripper" parent_link="palm" group="none"/>
+  <disable_collisions link1="base" link2="nowhere" reason="Never"/>
+  <group_state group="arm" name="home"><joint name="shoulder" value="0.5"/><joint name="finger" value="1"/></group_state>
+</robot>
+)");
+  const auto config = at.load();
+  ASSERT_EQ(config.robot.chains.size(), 2U);
+  EXPECT_EQ(config.robot.chains[0].name, "arm");
+  EXPECT_EQ(config.robot.chains[1].joints, std::vector<std::string>{"shoulder"});
+  EXPECT_EQ(config.robot.imus.size(), 1U);
+  EXPECT_EQ(config.robot.force_torques.size(), 1U);
+  EXPECT_EQ(config.robot.postures.at(0).joints.size(), 1U);
+  for (const char* said :
+       {"'head'", "'ankle' is not in the URDF: it is left out", "'other_hand'", "'finger'", "'nail'",
+        "'backwards' goes from 'hand' to 'base', but the first does not carry the second: it is left out",
+        "robot.srdf:5: 'elbow' is a passive_joint, and all the same in the joint map: it is commanded"}) {
+    EXPECT_TRUE(anyContains(config.warnings, said)) << said;
+  }
+  EXPECT_FALSE(anyContains(config.warnings, "world_joint"));
 }
 
 TEST(Load, TheMasterFrameworkIsThatOfXBotOrOurs) {

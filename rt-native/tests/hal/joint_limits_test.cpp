@@ -10,27 +10,29 @@
 namespace robotui::rt::hal {
 namespace {
 
+using link::Objection;
+
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 TEST(Sound, is_every_number_that_the_mode_means_and_no_other_is_looked_at) {
-  EXPECT_TRUE(isSound(position(1)));
+  EXPECT_EQ(objectionTo(position(1)), Objection::kNone);
   link::JointCommand other = position(1);
   other.effort = kNaN;
-  EXPECT_TRUE(isSound(other));
-  EXPECT_FALSE(isSound(position(kNaN)));
-  EXPECT_FALSE(isSound(velocity(kInfinity)));
-  EXPECT_FALSE(isSound(effort(-kInfinity)));
+  EXPECT_EQ(objectionTo(other), Objection::kNone);
+  EXPECT_EQ(objectionTo(position(kNaN)), Objection::kNoNumber);
+  EXPECT_EQ(objectionTo(velocity(kInfinity)), Objection::kNoNumber);
+  EXPECT_EQ(objectionTo(effort(-kInfinity)), Objection::kNoNumber);
 }
 
 TEST(Sound, gains_are_not_negative_and_modes_are_known) {
   link::JointCommand command = position(0);
   command.mode |= link::kStiffness;
   command.stiffness = -1;
-  EXPECT_FALSE(isSound(command));
+  EXPECT_EQ(objectionTo(command), Objection::kBadGain);
   command = position(0);
   command.mode |= 0x20;
-  EXPECT_FALSE(isSound(command));
+  EXPECT_EQ(objectionTo(command), Objection::kUnknownMode);
 }
 
 struct JointLimits : testing::Test {

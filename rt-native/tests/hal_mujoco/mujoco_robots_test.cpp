@@ -46,6 +46,38 @@ TEST(Humanoid, StandsWithoutAllocating) {
   EXPECT_EQ(link::allocationCount().calls, before);
 }
 
+// The legs of the humanoid as a robot has them that is published with meshes.
+RobotPtr withMeshes() {
+  auto robot = std::make_shared<config::RobotDescription>(*robotNamed("humanoid"));
+  const std::size_t link = robot->urdf.find("<collision>");
+  const std::size_t shape = robot->urdf.find("<geometry>", link) + std::string("<geometry>").size();
+  robot->urdf.replace(shape, robot->urdf.find("</geometry>", shape) - shape,
+                      "<mesh filename=\"package://robot/foot.stl\"/>");
+  return robot;
+}
+
+TEST(Meshes, OfARobotThatStandsAreRefusedWithTheWaysOut) {
+  try {
+    Simulated robot(withMeshes());
+    FAIL() << "it would fall through the floor";
+  } catch (const std::runtime_error& error) {
+    const std::string said = error.what();
+    EXPECT_NE(said.find("no collisions of meshes"), std::string::npos) << said;
+    EXPECT_NE(said.find("fix_base: true"), std::string::npos) << said;
+    EXPECT_NE(said.find("ignore_meshes: true"), std::string::npos) << said;
+  }
+}
+
+TEST(Meshes, OfARobotThatHangsAreSaidOnceUnlessThatIsWanted) {
+  Simulated hanging(withMeshes(), "{fix_base: true}");
+  const auto said = hanging.hal.news();
+  ASSERT_EQ(said.size(), 1U);
+  EXPECT_NE(said[0].find("touch nothing in this simulation"), std::string::npos) << said[0];
+  EXPECT_TRUE(hanging.hal.news().empty());
+  Simulated ignored(withMeshes(), "{ignore_meshes: true}");
+  EXPECT_TRUE(ignored.hal.news().empty());
+}
+
 TEST(RealRobots, TheyRunUnchanged) {
   for (const char* name : {"panda", "coman"}) {
     const RobotPtr robot = robotNamed(name);

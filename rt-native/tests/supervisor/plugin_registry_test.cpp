@@ -98,6 +98,29 @@ TEST_F(PluginRegistryTest, KeepsWhyAPluginWasLostUntilItIsStartedAgain) {
   EXPECT_EQ(registry_.describe(at("reach")), "running: 40 %");
 }
 
+TEST_F(PluginRegistryTest, OneThatFellKeepsItsJointsAndWhyUntilItIsStartedAgain) {
+  run("reach");
+  registry_.fell(at("reach"), "It was late.");
+  EXPECT_EQ(registry_.describe(at("reach")), "stopping: It was late.");
+  registry_.stopped(at("reach"));
+  EXPECT_EQ(registry_.describe(at("reach")), "stopped: It was late.");
+  EXPECT_EQ(board_.owner(1), at("reach"));
+  EXPECT_EQ(registry_.objection(at("homing")), "") << "its joints are for the next one";
+  registry_.lost(at("reach"), "");
+  EXPECT_EQ(registry_.describe(at("reach")), "absent: It was late.");
+  load("reach", PluginRole::kControl, "j2 j3");
+  run("reach");
+  EXPECT_EQ(registry_.describe(at("reach")), "running");
+}
+
+TEST_F(PluginRegistryTest, TakesTheJointsOfOneThatIsToStopBeforeItAnswers) {
+  run("reach");
+  registry_.stopping(at("reach"));
+  EXPECT_EQ(board_.owner(1), link::kNobody);
+}
+
+TEST_F(PluginRegistryTest, KnowsWhoFollowsReferences) { EXPECT_EQ(registry_.masterPlugin(), at("bridge")); }
+
 TEST_F(PluginRegistryTest, NamesWhatThereIsWhereAPluginIsNotKnown) {
   EXPECT_FALSE(registry_.find("dance"));
   EXPECT_EQ(registry_.unknown("dance"),

@@ -187,6 +187,14 @@ std::optional<int> RunningRobot::outcome(std::chrono::milliseconds patience) {
 
 std::string RunningRobot::output() const { return read(folder_ / "output"); }
 
+std::pair<int, std::string> RunningRobot::ctl(const std::string& words) const {
+  const fs::path file = folder_ / "ctl";
+  const std::string line =
+      std::string(RT_BIN) + "/robotui-rt-ctl --name " + name_ + " " + words + " >" + file.string() + " 2>&1";
+  const int code = codeOf(std::system(line.c_str()));
+  return {code, read(file)};
+}
+
 std::pair<int, std::string> RunningRobot::second() const {
   const fs::path file = folder_ / "second";
   const pid_t pid = start(file);

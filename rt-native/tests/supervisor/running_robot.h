@@ -62,6 +62,9 @@ class RunningRobot {
   // What it wrote to stderr so far.
   std::string output() const;
 
+  // robotui-rt-ctl with these words: its exit code, and all that it said.
+  std::pair<int, std::string> ctl(const std::string& words) const;
+
   // Starts another one of the same name: its exit code and what it said.
   std::pair<int, std::string> second() const;
 

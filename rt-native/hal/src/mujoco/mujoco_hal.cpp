@@ -90,6 +90,16 @@ bool MujocoHal::isSound() const noexcept {
   return warnings[mjWARN_BADQPOS].number + warnings[mjWARN_BADQVEL].number + warnings[mjWARN_BADQACC].number == 0;
 }
 
+// Once.
+std::vector<std::string> MujocoHal::news() {
+  std::vector<std::string> links;
+  std::swap(links, world_.mesh_links);
+  if (links.empty() || settings_.ignore_meshes) return {};
+  return {"The collision meshes of " + std::to_string(links.size()) + " links (" + links.front() +
+          (links.size() > 1 ? ", ..." : "") +
+          ") touch nothing in this simulation: it knows boxes, spheres and cylinders."};
+}
+
 void MujocoHal::close() noexcept { world_ = {}; }
 
 }  // namespace robotui::rt::hal

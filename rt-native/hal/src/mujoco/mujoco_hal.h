@@ -12,6 +12,7 @@ class MujocoHal final : public Hal {
   Status sense(Measurements& into) noexcept override;
   Status move(std::span<const Reference> references) noexcept override;
   void close() noexcept override;
+  std::vector<std::string> news() override;
 
  private:
   void command(const MujocoJoint& joint, const Reference& reference) noexcept;

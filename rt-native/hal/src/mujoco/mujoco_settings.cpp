@@ -32,11 +32,12 @@ std::string readPosture(const config::Reader& params, const config::RobotDescrip
 MujocoSettings readMujocoSettings(const config::HalConfig& config, const config::RobotDescription& robot,
                                   std::int64_t period_ns) {
   const config::Reader params(config.params, config.place.file, "HALInterface.params", config.place);
-  params.knowsOnly(
-      {"steps", "floor", "fix_base", "base_height", "posture", "drive_stiffness", "drive_damping", "armature"});
+  params.knowsOnly({"steps", "floor", "fix_base", "base_height", "posture", "drive_stiffness", "drive_damping",
+                    "armature", "ignore_meshes"});
   MujocoSettings settings;
   settings.steps = static_cast<int>(params.wholeOr("steps", defaultSteps(period_ns), 1, kMostSteps));
   settings.floor = params.flagOr("floor", settings.floor);
+  settings.ignore_meshes = params.flagOr("ignore_meshes", settings.ignore_meshes);
   settings.fix_base = params.flagOr("fix_base", settings.fix_base);
   settings.base_height = params.realOr("base_height", settings.base_height, -1, 100);
   settings.posture = readPosture(params, robot, settings.posture);

@@ -15,6 +15,7 @@ struct MujocoSettings {
   std::string posture = "home";  // of the SRDF, in which it starts
   double drive_stiffness = 20;   // of joints in position mode, N m/rad for each N m of the joint's effort limit
   double drive_damping = 1;      // ratio; 1 is critical
+  bool ignore_meshes = false;    // of <collision>: they touch nothing
   double armature = 0.001;  // inertia of motor and gear at the joint, kg m2 for each N m of the joint's effort limit
 };
 

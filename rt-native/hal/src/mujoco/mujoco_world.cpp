@@ -4,6 +4,9 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <stdexcept>
+
+#include "robotui/rt/link/words.h"
 
 namespace robotui::rt::hal {
 namespace {
@@ -26,6 +29,7 @@ class WorldBuilder {
         mujoco_(addTree(tree_, robot, isFree())) {}
 
   MujocoWorld build(double period) {
+    checkMeshes();
     setOptions(period / settings_.steps);
     if (settings_.floor) addFloor();
     for (const auto& shape : tree_.shapes) addShape(shape);
@@ -33,6 +37,7 @@ class WorldBuilder {
     for (const auto& imu : robot_.imus) addImu(imu);
     for (const auto& sensor : robot_.force_torques) addForceTorque(sensor);
     MujocoWorld world;
+    world.mesh_links = tree_.mesh_links;
     world.model = compile(mujoco_, robot_.name);
     world.data = makeData(*world.model);
     findParts(world);
@@ -50,6 +55,16 @@ class WorldBuilder {
   }
 
   bool isFree() const { return robot_.floating_base && !settings_.fix_base; }
+  // What stands on the floor by a mesh would fall through it, and all that is told of it would be wrong.
+  void checkMeshes() const {
+    if (tree_.mesh_links.empty() || settings_.ignore_meshes || !settings_.floor || !isFree()) return;
+    throw std::runtime_error(
+        "The simulation has no collisions of meshes, and this robot stands free on the floor with meshes (" +
+        link::listed(tree_.mesh_links).substr(0, kNamed) +
+        "): it would fall through it. Give these links boxes, spheres or cylinders in <collision>, hang the robot up "
+        "(HALInterface.params: {fix_base: true}), or go on with {ignore_meshes: true}.");
+  }
+
   mjSpec* spec() { return mujoco_.spec.get(); }
 
   void setOptions(double step) {
@@ -201,7 +216,8 @@ class WorldBuilder {
     }
   }
 
-  static constexpr double kHanging = 0.3;  // m between the floor and a robot that hangs
+  static constexpr std::size_t kNamed = 120;  // characters of names of links
+  static constexpr double kHanging = 0.3;     // m between the floor and a robot that hangs
 
   const config::RobotDescription& robot_;
   const MujocoSettings& settings_;

@@ -18,6 +18,7 @@ struct MujocoJoint {
 };
 
 struct MujocoWorld {
+  std::vector<std::string> mesh_links;  // whose meshes touch nothing
   MujocoModelPtr model;
   MujocoDataPtr data;
   std::vector<MujocoJoint> joints;  // by index of the robot
@@ -25,7 +26,8 @@ struct MujocoWorld {
   std::vector<int> force_torques;   // in sensordata: force, torque
 };
 
-// In its posture, at rest, standing on the floor. Throws std::runtime_error.
+// In its posture, at rest, standing on the floor. Throws std::runtime_error, also where it would fall through the
+// floor, since it has meshes.
 MujocoWorld buildMujocoWorld(const config::RobotDescription& robot, const MujocoSettings& settings, double period);
 
 }  // namespace robotui::rt::hal

@@ -1,10 +1,14 @@
 // A plugin that holds a joint, and does what it is told: whatever a bad plugin can do to its host.
 #include <array>
+#include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <random>
 #include <stdexcept>
+#include <thread>
 
 #include "robotui/rt/plugin/control_plugin.h"
 
@@ -30,7 +34,7 @@ class Naughty final : public ControlPlugin {
     return RtStatus::ok();
   }
   RtStatus control_loop(double /*time*/, double /*period*/) override {
-    if (joint_ != nullptr) joint_->setPositionReference(held_);
+    if (joint_ != nullptr) joint_->setPositionReference(todo_ == "nan" ? std::nan("") : held_);
     misbehave();
     return todo_ == "fail" ? RtStatus::failed("it was told to ", todo_) : RtStatus::ok();
   }
@@ -47,7 +51,8 @@ class Naughty final : public ControlPlugin {
     std::raise(SIGSEGV);
   }
   // Everything that its process has mapped writable from the link: its own segments.
-  static void scribble() {
+  template <typename Spoil>
+  static void spoil(const Spoil& each) {
     std::FILE* maps = std::fopen("/proc/self/maps", "r");
     std::array<char, 512> line{};
     while (std::fgets(line.data(), static_cast<int>(line.size()), maps) != nullptr) {
@@ -56,16 +61,27 @@ class Naughty final : public ControlPlugin {
       std::array<char, 5> rights{};
       const bool is_map = std::sscanf(line.data(), "%lx-%lx %4s", &begin, &end, rights.data()) == 3;
       if (is_map && rights[1] == 'w' && std::strstr(line.data(), "/memfd:") != nullptr) {
-        std::memset(reinterpret_cast<void*>(begin), 0xff, end - begin);
+        each(reinterpret_cast<unsigned char*>(begin), end - begin);
       }
     }
     std::fclose(maps);
+  }
+  static void scribble() {
+    spoil([](unsigned char* at, std::size_t size) { std::memset(at, 0xff, size); });
+  }
+  // Some bytes at places that differ each time.
+  void fuzz() {
+    spoil([this](unsigned char* at, std::size_t size) {
+      for (int i = 0; i < 64; ++i) at[random_() % size] = static_cast<unsigned char>(random_());
+    });
   }
   void misbehave() {
     if (todo_ == "crash") crash();
     if (todo_ == "exit") std::_Exit(3);
     if (todo_ == "throw") throw std::runtime_error("it was told to throw");
     if (todo_ == "scribble") scribble();
+    if (todo_ == "fuzz") fuzz();
+    if (todo_ == "sleep") std::this_thread::sleep_for(std::chrono::milliseconds(5));
     while (todo_ == "spin") spun_ = spun_ + 1;
   }
 
@@ -73,6 +89,7 @@ class Naughty final : public ControlPlugin {
   Joint* joint_ = nullptr;
   double held_ = 0;
   std::string todo_;
+  std::mt19937 random_{4711};
   volatile std::uint64_t spun_ = 0;
 };
 

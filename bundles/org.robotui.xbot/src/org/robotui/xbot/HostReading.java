@@ -8,8 +8,10 @@ import java.util.Map;
  *
  * @param threads its threads, by index
  * @param plugins what is known of each of its plugins, by index on the board
+ * @param damage what of its memory a plugin has overwritten, as words such as "its head is overwritten": then nothing
+ * else is told; empty where nothing is seen to be
  */
-public record HostReading(List<Timing> threads, Map<Integer, Plugin> plugins) {
+public record HostReading(List<Timing> threads, Map<Integer, Plugin> plugins, String damage) {
   /**
    * One plugin.
    *
@@ -24,9 +26,20 @@ public record HostReading(List<Timing> threads, Map<Integer, Plugin> plugins) {
    *
    * @param threads by index
    * @param plugins by index on the board
+   * @param damage what is overwritten
    */
   public HostReading {
     threads = List.copyOf(threads);
     plugins = Map.copyOf(plugins);
+  }
+
+  /**
+   * One that is sound.
+   *
+   * @param threads by index
+   * @param plugins by index on the board
+   */
+  public HostReading(List<Timing> threads, Map<Integer, Plugin> plugins) {
+    this(threads, plugins, "");
   }
 }

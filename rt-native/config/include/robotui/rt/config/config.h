@@ -90,6 +90,9 @@ struct HalConfig {
   double deadline = 0.8;  // fraction of the period until which commands are awaited
   SafeLaw safe_law = SafeLaw::kGravity;
   double safe_damping = 5.0;  // N m s/rad or N s/m
+  // By joint, rad or m: what it may be away from its position reference for following_time (s) before it is made safe.
+  std::vector<double> following_errors;  // infinity where it is not supervised
+  double following_time = 0.5;
   std::chrono::microseconds period{1000};
   std::optional<int> core;
   int priority = 90;

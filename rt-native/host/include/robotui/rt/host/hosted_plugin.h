@@ -14,7 +14,7 @@
 #include "robotui/rt/config/config.h"
 #include "robotui/rt/host/link_robot.h"
 #include "robotui/rt/host/plugin_library.h"
-#include "robotui/rt/host/spsc_queue.h"
+#include "robotui/rt/link/spsc_queue.h"
 #include "robotui/rt/link/fixed_text.h"
 #include "robotui/rt/plugin/log_queue.h"
 
@@ -97,9 +97,9 @@ class HostedPlugin {
   std::atomic<link::PluginState> state_{link::PluginState::kStopped};
   Line failure_;
   Line reported_;
-  SpscQueue<Order, 16> orders_;
-  SpscQueue<Answer, 16> answers_;
-  SpscQueue<Line, 4> statuses_;
+  link::SpscQueue<Order, 16> orders_;
+  link::SpscQueue<Answer, 16> answers_;
+  link::SpscQueue<Line, 4> statuses_;
 };
 
 // `joints` and `chains` of a plugin's parameters as names of joints, each once, in the robot's order. Throws

@@ -36,6 +36,9 @@ struct SegmentTraits<MasterSegment> {
   static constexpr SegmentKind kind = SegmentKind::kMaster;
 };
 
+// Empty, or what is wrong with a head, as words behind "The host segment".
+std::string faultOf(const Header& header, SegmentKind kind, std::size_t size);
+
 // Mapped memory of a file whose size is sealed: it can neither grow nor shrink under its readers.
 class Mapping {
  public:
@@ -48,6 +51,7 @@ class Mapping {
 
   static Mapping create(SegmentKind kind, std::size_t size, std::uint32_t generation);
   static Mapping open(Descriptor file, SegmentKind kind, std::size_t size, bool writable);
+  static Mapping openAsItIs(Descriptor file, SegmentKind kind, std::size_t size);
 
   void* data() const noexcept { return data_; }
   void sealAgainstWriters() const;
@@ -78,6 +82,12 @@ class Segment {
   // Maps what another process gave away, after its seals, size and header were checked; throws SegmentError.
   static Segment open(Descriptor file) {
     return Segment(Mapping::open(std::move(file), SegmentTraits<Plain>::kind, sizeof(Plain), kWritable));
+  }
+
+  // The same of what a broken plugin may have overwritten: its head is not looked at. Who reads it checks what it reads
+  // (host_damage.h), so that nobody is kept out by what stands there.
+  static Segment openAsItIs(Descriptor file) requires(!kWritable) {
+    return Segment(Mapping::openAsItIs(std::move(file), SegmentTraits<Plain>::kind, sizeof(Plain)));
   }
 
   T& operator*() const noexcept { return *get(); }

@@ -33,7 +33,7 @@ struct LinkFrame {
   Eigen::Isometry3d in_body;
 };
 
-// A primitive of a <collision>; meshes are left out.
+// A primitive of a <collision>.
 struct CollisionShape {
   enum class Kind { kBox, kSphere, kCylinder } kind;
   int body;
@@ -45,6 +45,7 @@ struct RigidTree {
   std::vector<RigidBody> bodies;           // parents first; the base is 0
   std::map<std::string, LinkFrame> links;  // of all links
   std::vector<CollisionShape> shapes;
+  std::vector<std::string> mesh_links;  // whose <collision> has a mesh, which is left out; each once
   double mass() const;
 };
 

@@ -29,6 +29,10 @@ class BoardPublisher {
     return segment_->owners[joint].load(std::memory_order_relaxed);
   }
 
+  std::uint32_t grantOf(std::uint32_t joint) const noexcept {
+    return segment_->grants[joint].load(std::memory_order_relaxed);
+  }
+
   link::Descriptor share() const { return segment_.shareReadOnly(); }
 
  private:

@@ -7,6 +7,7 @@
 #include "robotui/rt/supervisor/client_replies.h"
 #include "robotui/rt/supervisor/hal_process.h"
 #include "robotui/rt/supervisor/host_supervisor.h"
+#include "robotui/rt/supervisor/joint_events.h"
 #include "robotui/rt/supervisor/log_file.h"
 #include "robotui/rt/supervisor/options.h"
 
@@ -15,8 +16,9 @@ namespace robotui::rt::supervisor {
 class HalSupervisor {
  public:
   HalSupervisor(const Options& options, const config::RtConfig& config, HalProcess& hal, BoardPublisher& board,
-                HostSupervisor& hosts, ClientReplies& replies, LogFile& log)
-      : options_(options), config_(config), hal_(hal), board_(board), hosts_(hosts), replies_(replies), log_(log) {}
+                HostSupervisor& hosts, JointEvents& joints, ClientReplies& replies, LogFile& log)
+      : options_(options), config_(config), hal_(hal), board_(board), hosts_(hosts), joints_(joints), replies_(replies),
+        log_(log) {}
 
   // Throws std::runtime_error.
   void spawn();
@@ -37,6 +39,7 @@ class HalSupervisor {
   HalProcess& hal_;
   BoardPublisher& board_;
   HostSupervisor& hosts_;
+  JointEvents& joints_;
   ClientReplies& replies_;
   LogFile& log_;
 };

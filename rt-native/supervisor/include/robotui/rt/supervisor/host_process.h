@@ -42,8 +42,8 @@ class HostProcess {
   // Notes what concerns the process as such; the rest is for others.
   void handle(const link::Packet& packet, std::int64_t now_ns);
 
-  // Kills it where it got stuck: a thread that does not cycle for `patience_ns` of the robot's cycles, or a plugin that
-  // is never made ready.
+  // Kills it where a plugin has overwritten its memory, or where it got stuck: a thread that does not cycle for
+  // `patience_ns` of the robot's cycles, or a plugin that is never made ready.
   void watch(std::uint64_t hal_cycle, std::int64_t hal_period_ns, std::int64_t patience_ns, std::int64_t now_ns);
 
   // After its death: the sentence for the user, and the plugins that were at work then.
@@ -58,7 +58,9 @@ class HostProcess {
     std::uint64_t cycles = 0;
     std::uint64_t hal_cycle = 0;
   };
+  void restore();
   void resetChannels();
+  std::string damage() const;
   bool isStuck(std::uint32_t thread, std::uint64_t hal_cycle, std::int64_t hal_period_ns, std::int64_t patience_ns);
 
   std::uint32_t index_;
@@ -67,7 +69,9 @@ class HostProcess {
   RespawnPolicy respawns_;
   link::Segment<link::HostSegment> segment_;
   link::Segment<link::ChannelSegment> channels_;
+  link::Header header_{};
   link::Header channel_header_;
+  std::string damage_;  // for which it was killed
   std::uint32_t generation_ = 0;
   bool ready_ = false;
   bool broken_ = false;

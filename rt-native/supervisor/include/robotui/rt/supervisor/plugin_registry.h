@@ -22,7 +22,9 @@ class PluginRegistry {
   link::PluginState state(std::uint32_t plugin) const;
   std::uint32_t host(std::uint32_t plugin) const { return plan_.plugins[plugin].host; }
   bool isIo(std::uint32_t plugin) const;
-  bool isActive(std::uint32_t plugin) const;  // starting, running or stopping
+  std::uint32_t grantOf(std::uint32_t joint) const noexcept { return board_.grantOf(joint); }
+  bool isActive(std::uint32_t plugin) const;          // starting, running or stopping
+  std::optional<std::uint32_t> masterPlugin() const;  // that passes on references, the running one first
   std::vector<std::uint32_t> ofHost(std::uint32_t host) const;
   std::string unknown(std::string_view name) const;  // the sentence for it
 
@@ -35,8 +37,11 @@ class PluginRegistry {
   // Gives it its joints.
   void starting(std::uint32_t plugin);
   void started(std::uint32_t plugin);
+  // Its joints hold from now on, whatever its process still does.
   void stopping(std::uint32_t plugin);
-  // Its joints are nobody's, and hold.
+  // The HAL put its joints into their safe state: it is being stopped, and `sentence` stays until it is started again.
+  void fell(std::uint32_t plugin, std::string_view sentence);
+  // Its joints are nobody's, and hold; those of one that fell stay its own, and safe.
   void stopped(std::uint32_t plugin);
   // Its joints stay its own, and safe, until it or another one is started.
   void failed(std::uint32_t plugin, std::string_view sentence);
@@ -56,6 +61,7 @@ class PluginRegistry {
 
   std::string masterObjection(std::uint32_t plugin) const;
   std::string jointObjection(std::uint32_t plugin) const;
+  void releaseJoints(std::uint32_t plugin);
   void set(std::uint32_t plugin, link::PluginState state, std::string_view error);
 
   const config::RtConfig& config_;

@@ -11,6 +11,7 @@
 #include "robotui/rt/supervisor/control_server.h"
 #include "robotui/rt/supervisor/hal_supervisor.h"
 #include "robotui/rt/supervisor/host_supervisor.h"
+#include "robotui/rt/supervisor/joint_events.h"
 #include "robotui/rt/supervisor/log_file.h"
 #include "robotui/rt/supervisor/master.h"
 #include "robotui/rt/supervisor/options.h"
@@ -52,6 +53,7 @@ class Supervisor {
   // What acts on it, each on a subject of its own.
   PluginEvents events_;
   HostSupervisor hosts_;
+  JointEvents joint_events_;
   HalSupervisor hal_;
   RosSupervisor ros_;
   PluginRequests plugin_requests_;

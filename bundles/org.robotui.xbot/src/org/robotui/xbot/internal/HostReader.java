@@ -13,6 +13,8 @@ public final class HostReader {
   private final Layout.Field threads;
   private final Layout.Field plugins;
   private final int count;
+  private final int size;
+  private final HostDamage damage;
   private final TimingReader timing;
   private final int state;
   private final int cycles;
@@ -25,6 +27,8 @@ public final class HostReader {
     this.threads = fields.get("thread_statistics");
     this.plugins = fields.get("plugins");
     this.count = layout.offset("HostSegment", "threads");
+    this.size = layout.size("HostSegment");
+    this.damage = new HostDamage(layout);
     this.timing = new TimingReader(layout);
     this.state = layout.offset("PluginStatistics", "state");
     this.cycles = layout.offset("PluginStatistics", "cycles");
@@ -32,21 +36,24 @@ public final class HostReader {
     this.busy = layout.offset("PluginStatistics", "busy");
   }
 
-  /** What stands there now. */
+  /** What stands there now; of what is damaged only that it is. */
   public HostReading read(Memory memory) {
-    int there = Math.clamp(memory.copy(count, Integer.BYTES).getInt(0), 0, threads.count());
-    ByteBuffer from = memory.copy(threads.offset(), there * threads.size());
+    ByteBuffer from = memory.copy(0, size);
+    return damage.of(from).map(what -> new HostReading(List.of(), Map.of(), what)).orElseGet(() -> reading(from));
+  }
+
+  private HostReading reading(ByteBuffer from) {
     List<Timing> all = new ArrayList<>();
-    for (int i = 0; i < there; i++) {
-      all.add(timing.thread(from, i * threads.size()));
+    for (int i = 0; i < from.getInt(count); i++) {
+      all.add(timing.thread(from, threads.offset() + i * threads.size()));
     }
-    return new HostReading(all, plugins(memory.copy(plugins.offset(), plugins.count() * plugins.size())));
+    return new HostReading(all, plugins(from), "");
   }
 
   private Map<Integer, HostReading.Plugin> plugins(ByteBuffer from) {
     Map<Integer, HostReading.Plugin> all = new HashMap<>();
     for (int i = 0; i < plugins.count(); i++) {
-      int at = i * plugins.size();
+      int at = plugins.offset() + i * plugins.size();
       if (from.getInt(at + state) != 0) {
         all.put(i, new HostReading.Plugin(from.getLong(at + cycles), from.getLong(at + last),
             timing.buckets(from, at + busy)));

@@ -40,6 +40,7 @@ class ReadersTest {
     assertEquals(1, host.threads().get(1).wakeUp().counts().get(24));
     assertEquals(77, host.plugins().get(5).cycles());
     assertEquals(1, host.plugins().size());
+    assertEquals("", host.damage());
   }
 
   @Test
@@ -86,7 +87,25 @@ class ReadersTest {
       random.nextBytes(bytes);
       ByteBuffer direct = ByteBuffer.allocateDirect(bytes.length).put(bytes).flip();
       HostReading host = new HostReader(layout).read(new Memory(direct));
-      assertTrue(host.threads().size() <= layout.number("threads"));
+      assertEquals("its head is overwritten", host.damage());
+      assertEquals(List.of(), host.threads());
+    }
+  }
+
+  /** The head stays, as one wild write seldom hits all. */
+  @Test
+  void whatAHostOverwroteIsNamedAndNotShown() throws IOException {
+    Random random = new Random(5);
+    byte[] sound = NativeFiles.vector("host").copy(0, layout.size("HostSegment")).array();
+    int threads = layout.struct("HostSegment").fields().get("thread_statistics").offset();
+    for (int i = 0; i < 200; i++) {
+      byte[] wild = new byte[layout.size("PluginStatistics")];
+      random.nextBytes(wild);
+      byte[] bytes = sound.clone();
+      System.arraycopy(wild, 0, bytes, threads + random.nextInt(bytes.length - threads - wild.length), wild.length);
+      HostReading host = new HostReader(layout).read(new Memory(ByteBuffer.wrap(bytes)));
+      assertTrue(host.damage().matches("what it says of its (threads|plugins) is overwritten"), host.damage());
+      assertEquals(List.of(), host.threads());
     }
   }
 

@@ -3,6 +3,7 @@ package org.robotui.rfic.xbot.internal;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.robotui.data.FrameId;
 import org.robotui.data.control.ControlPlugins;
@@ -108,6 +109,17 @@ final class Convert {
     return new Histogram(buckets.counts(),
         IntStream.range(0, buckets.counts().size()).mapToObj(i -> i == 0 ? 0L : Timing.Buckets.lower(i)).toList(),
         buckets.max());
+  }
+
+  /**
+   * Which hosts have memory that a plugin has overwritten, so that their figures are left out; empty where none has.
+   */
+  static String damage(Board board, List<HostReading> hosts) {
+    return IntStream.range(0, Math.min(hosts.size(), board.hosts().size()))
+        .filter(i -> !hosts.get(i).damage().isEmpty())
+        .mapToObj(i -> "the memory of the host " + board.hosts().get(i).name() + " is damaged ("
+            + hosts.get(i).damage() + "): its figures are left out")
+        .collect(Collectors.joining("; "));
   }
 
   static ControlPlugins plugins(Board board, List<HostReading> hosts) {

@@ -13,6 +13,7 @@ import org.robotui.api.session.LinkChanges;
 import org.robotui.api.session.RobotSession;
 import org.robotui.data.joint.RobotDescription;
 import org.robotui.xbot.Board;
+import org.robotui.xbot.HostReading;
 import org.robotui.xbot.RtClient;
 import org.robotui.xbot.StateFrame;
 
@@ -36,6 +37,7 @@ final class XbotSession implements RobotSession {
   private long newest;
   private long newestSince = System.nanoTime();
   private long slowAt;
+  private String damage = "";
 
   XbotSession(RficContext context, XbotSettings settings, RtClient client) throws IOException {
     this.context = context;
@@ -88,7 +90,9 @@ final class XbotSession implements RobotSession {
     }
     if (now - slowAt > SLOW.toNanos()) {
       slowAt = now;
-      streams.publishSlow(board, client.loop(), client.hosts());
+      List<HostReading> hosts = client.hosts();
+      damage = Convert.damage(board, hosts);
+      streams.publishSlow(board, client.loop(), hosts);
     }
     link.report(state(board, now));
   }
@@ -107,7 +111,7 @@ final class XbotSession implements RobotSession {
     return switch (hardware) {
       case TIMEOUT -> new LinkState.Degraded(peer, "the hardware does not answer in time");
       case FAULT -> new LinkState.Degraded(peer, "the hardware reports a fault");
-      case OK -> new LinkState.Connected(peer);
+      case OK -> damage.isEmpty() ? new LinkState.Connected(peer) : new LinkState.Degraded(peer, damage);
     };
   }
 

@@ -91,6 +91,14 @@ class ConvertTest {
   }
 
   @Test
+  void memoryThatAPluginOverwroteIsNamed() {
+    Board board = board(PluginState.RUNNING);
+    assertEquals("", Convert.damage(board, List.of(new HostReading(List.of(), Map.of()))));
+    assertEquals("the memory of the host main is damaged (its head is overwritten): its figures are left out",
+        Convert.damage(board, List.of(new HostReading(List.of(), Map.of(), "its head is overwritten"))));
+  }
+
+  @Test
   void theLoopAtTheHardwareComesFirst() {
     LoopTiming timing = Convert.timing(board(PluginState.RUNNING), thread("HAL"),
         List.of(new HostReading(List.of(thread("rt_main")), Map.of())));

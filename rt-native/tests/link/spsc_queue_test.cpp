@@ -1,10 +1,10 @@
-#include "robotui/rt/host/spsc_queue.h"
+#include "robotui/rt/link/spsc_queue.h"
 
 #include <gtest/gtest.h>
 
 #include <thread>
 
-namespace robotui::rt::host {
+namespace robotui::rt::link {
 namespace {
 
 TEST(SpscQueue, GivesWhatWasPutInUntilItIsFull) {
@@ -36,4 +36,4 @@ TEST(SpscQueue, LosesNothingBetweenTwoThreads) {
 }
 
 }  // namespace
-}  // namespace robotui::rt::host
+}  // namespace robotui::rt::link

@@ -5,7 +5,7 @@
 #include <atomic>
 #include <cstddef>
 
-namespace robotui::rt::host {
+namespace robotui::rt::link {
 
 template <typename T, std::size_t kSize>
 class SpscQueue {
@@ -36,4 +36,4 @@ class SpscQueue {
   alignas(64) std::atomic<std::size_t> out_{0};
 };
 
-}  // namespace robotui::rt::host
+}  // namespace robotui::rt::link
