@@ -78,6 +78,12 @@ public final class Series {
         : Optional.empty();
   }
 
+  /** The newest sample at or before a time that is a number. */
+  public synchronized Optional<Sample> lastUntil(long time) {
+    int last = skip(indexOf(time + 1) - 1, -1);
+    return last < 0 ? Optional.empty() : Optional.of(new Sample(time(last), value(last)));
+  }
+
   /** The newest sample that is a number. */
   public synchronized Optional<Sample> newest() {
     int last = skip(size() - 1, -1);

@@ -25,6 +25,7 @@ import org.robotui.ui.ViewSurface;
 import org.robotui.ui.control.QuietButton;
 import org.robotui.ui.control.SaveDialog;
 import org.robotui.uic.plot.internal.model.PlotScene;
+import org.robotui.uic.plot.internal.model.Replay;
 import org.robotui.uic.plot.internal.trace.TimeSpan;
 
 /** What is seen of the view while it is shown. Display thread. */
@@ -134,6 +135,11 @@ public final class PlotSurface implements ViewSurface {
     return choosing;
   }
 
+  /** Whether time stands: what is seen neither is live nor goes along with a recording. */
+  public boolean isHeld() {
+    return scene.replay().isPresent() ? !state.isFollowing() : !state.isLive();
+  }
+
   public void pause() {
     navigation.pause();
     show(scene);
@@ -221,9 +227,19 @@ public final class PlotSurface implements ViewSurface {
       return "";
     }
     long broken = scene.traces().filter(t -> t.problem().isPresent()).count();
-    String time = state.isLive() ? "live" : "paused";
     String span = Figures.age(state.span(scene, 0).seconds());
+    if (scene.replay().isPresent()) {
+      return (broken > 0 ? broken + " without values \u00b7 " : "") + span + " \u00b7 " + time(scene.replay().get());
+    }
+    String time = state.isLive() ? "live" : "paused";
     return (broken > 0 ? broken + " without values \u00b7 " : "") + span + " \u00b7 " + time;
+  }
+
+  private String time(Replay replay) {
+    if (replay.progress().isPresent()) {
+      return "reading, " + Math.round(replay.progress().getAsDouble() * 100) + " %";
+    }
+    return state.isFollowing() ? "follows the recording" : state.isLive() ? "whole recording" : "part of the recording";
   }
 
   private void paint(GC gc, Rectangle area) {
@@ -244,7 +260,7 @@ public final class PlotSurface implements ViewSurface {
     if (notice.isPresent()) {
       String words = TextFit.shorten(gc, notice.get().text(), area.width - 6 * Theme.EDGE);
       states.banner(gc, low, notice.get().good() ? Health.OK : Health.BAD, words);
-    } else if (!state.isLive() && !scene.spec().isEmpty()) {
+    } else if (!state.isLive() && scene.replay().isEmpty() && !scene.spec().isEmpty()) {
       states.banner(gc, low, Health.NONE, "paused \u00b7 double-click for live");
     }
   }
@@ -276,6 +292,11 @@ public final class PlotSurface implements ViewSurface {
     @Override
     public void pause() {
       PlotSurface.this.pause();
+    }
+
+    @Override
+    public void all() {
+      PlotSurface.this.live();
     }
 
     @Override
