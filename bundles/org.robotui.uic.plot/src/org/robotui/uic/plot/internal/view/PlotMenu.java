@@ -29,6 +29,10 @@ final class PlotMenu {
 
     void cursors();
 
+    void statistics();
+
+    void copyStatistics();
+
     void export(boolean all);
 
     void zoomBack(int axis);
@@ -64,6 +68,8 @@ final class PlotMenu {
       menu.push(state.isLive() ? "Pause" : "Back to live", commands::pause);
     }
     menu.check("Cursors", state.cursors().isPresent(), now -> commands.cursors());
+    menu.push("Statistics", commands::statistics);
+    menu.push("Copy statistics", commands::copyStatistics);
     options(menu, scene.spec());
     menu.line();
     menu.push("Export what is seen\u2026", () -> commands.export(false));

@@ -46,6 +46,7 @@ public final class PlotSurface implements ViewSurface {
   private final Navigation navigation;
   private final PlotMenu menu;
   private final ChooserPanel chooser;
+  private final StatisticsPane statistics;
   private final PortAdder ports;
   private final DropZone drops;
   private final QuietButton choose;
@@ -72,6 +73,7 @@ public final class PlotSurface implements ViewSurface {
     this.canvas = new PaintedCanvas(root, context.theme(), this::paint);
     this.chooser =
         new ChooserPanel(root, context.theme(), robot, text -> edits.add(text, lastAxis()), this::closeChooser);
+    this.statistics = new StatisticsPane(root, context.theme());
     this.navigation = new Navigation(canvas, () -> this.scene, state, painter);
     this.menu = new PlotMenu(edits, new Commands(), robot.ports(context.theme()));
     this.ports = new PortAdder(canvas, robot, new Ports());
@@ -93,7 +95,12 @@ public final class PlotSurface implements ViewSurface {
     if (next.axes().size() != scene.axes().size()) {
       state.forgetScales();
     }
+    boolean others = !next.spec().equals(scene.spec());
     scene = next;
+    statistics.show(scene, state, others);
+    if (others) {
+      place();
+    }
     context.note(note());
     choose.setVisible(scene.axes().isEmpty() && !chooser.isOpen());
     chooser.refresh();
@@ -154,6 +161,17 @@ public final class PlotSurface implements ViewSurface {
     navigation.cursors();
   }
 
+  /** Shows the statistics below the axes, or takes them away. */
+  public void statistics() {
+    statistics.open(!statistics.isOpen());
+    statistics.show(scene, state, true);
+    place();
+  }
+
+  public boolean showsStatistics() {
+    return statistics.isOpen();
+  }
+
   /** Asks for a file and writes what is seen, or all, to it. */
   public void export(boolean all) {
     if (scene.spec().isEmpty()) {
@@ -190,8 +208,11 @@ public final class PlotSurface implements ViewSurface {
     canvas.addListener(SWT.KeyDown, e -> {
       if (e.keyCode == SWT.INSERT || e.keyCode == 'a' && (e.stateMask & SWT.MODIFIER_MASK) == 0) {
         choose("");
+      } else if (e.keyCode == 's' && (e.stateMask & SWT.MODIFIER_MASK) == 0) {
+        statistics();
       }
     });
+    canvas.addListener(SWT.Paint, e -> statistics.show(scene, state, false));
   }
 
   /** A click on the name of a trace hides or shows it. */
@@ -217,7 +238,9 @@ public final class PlotSurface implements ViewSurface {
     int wide = area.width - PANEL < LEAST_PLOT ? area.width : PANEL;
     int panel = chooser.isOpen() ? wide : 0;
     chooser.control().setBounds(0, 0, panel, area.height);
-    canvas.setBounds(panel, 0, Math.max(0, area.width - panel), area.height);
+    int below = statistics.height(scene, area.height);
+    canvas.setBounds(panel, 0, Math.max(0, area.width - panel), area.height - below);
+    statistics.control().setBounds(panel, area.height - below, Math.max(0, area.width - panel), below);
     Point size = choose.computeSize(SWT.DEFAULT, SWT.DEFAULT);
     choose.setBounds((area.width - size.x) / 2, area.height / 2 + EMPTY_HEIGHT / 2, size.x, size.y);
   }
@@ -302,6 +325,16 @@ public final class PlotSurface implements ViewSurface {
     @Override
     public void cursors() {
       PlotSurface.this.cursors();
+    }
+
+    @Override
+    public void statistics() {
+      PlotSurface.this.statistics();
+    }
+
+    @Override
+    public void copyStatistics() {
+      StatisticsPane.copy(scene, state);
     }
 
     @Override
