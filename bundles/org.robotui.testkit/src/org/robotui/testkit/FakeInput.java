@@ -13,6 +13,7 @@ import org.robotui.api.port.Input;
 import org.robotui.api.port.InputState;
 import org.robotui.api.port.RawMessage;
 import org.robotui.api.port.SourceId;
+import org.robotui.api.replay.StreamHistory;
 import org.robotui.data.Data;
 import org.robotui.data.DataType;
 import org.robotui.data.Late;
@@ -34,6 +35,7 @@ public final class FakeInput<T extends Data> implements Input<T> {
   private Set<SourceId> chosen = Set.of();
   private final Set<SourceId> kept = new HashSet<>();
   private final Map<SourceId, Long> sequences = new LinkedHashMap<>();
+  private final Map<SourceId, StreamHistory> histories = new LinkedHashMap<>();
   private long dropped;
 
   /**
@@ -143,6 +145,21 @@ public final class FakeInput<T extends Data> implements Input<T> {
    */
   public synchronized void keep(SourceId source) {
     kept.add(source);
+  }
+
+  /**
+   * Has a source be that of a recording.
+   *
+   * @param source the source
+   * @param history all that it has
+   */
+  public synchronized void history(SourceId source, StreamHistory history) {
+    histories.put(source, history);
+  }
+
+  @Override
+  public synchronized Optional<StreamHistory> history(SourceId source) {
+    return Optional.ofNullable(histories.get(source));
   }
 
   /**

@@ -26,6 +26,7 @@ import org.robotui.api.port.Port;
 import org.robotui.api.port.Publication;
 import org.robotui.api.port.RawMessage;
 import org.robotui.api.port.StreamPort;
+import org.robotui.api.replay.StreamHistory;
 import org.robotui.api.time.ClockSource;
 import org.robotui.data.Data;
 import org.robotui.data.Stamp;
@@ -55,6 +56,8 @@ public final class FakeRficContext implements RficContext, Offers, ClockSource {
   public final Map<String, Boolean> kept = new ConcurrentHashMap<>();
   /** What is promised of the delivery of a stream, by stream. */
   public final Map<String, String> deliveries = new ConcurrentHashMap<>();
+  /** All that recordings have, by port. */
+  public final Map<String, StreamHistory> histories = new ConcurrentHashMap<>();
   /** The command ports that are offered now, by name. */
   public final Map<String, CommandPort<?>> commands = new ConcurrentHashMap<>();
   /** Who takes commands, by port. */
@@ -261,6 +264,11 @@ public final class FakeRficContext implements RficContext, Offers, ClockSource {
     @Override
     public void delivery(String promise) {
       deliveries.put(port, promise);
+    }
+
+    @Override
+    public void history(StreamHistory all) {
+      histories.put(port, all);
     }
 
     @Override

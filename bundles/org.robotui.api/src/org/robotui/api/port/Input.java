@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
+import org.robotui.api.replay.StreamHistory;
 import org.robotui.data.Data;
 
 /**
@@ -89,6 +90,18 @@ public interface Input<T extends Data> {
    * forgotten what it took, as the clock of the robot jumped back: call it before draining, on the thread that drains.
    */
   void recall();
+
+  /**
+   * All that a recording has of a source, the future too. What is read of it is not asked for by playing: a source need
+   * not be chosen for that.
+   *
+   * @param source one of {@link #candidates()}
+   * @return its history; none where the robot is live, or where the source is not there now. Another one than before
+   * where the recording was opened anew
+   */
+  default Optional<StreamHistory> history(SourceId source) {
+    return Optional.empty();
+  }
 
   /**
    * Values lost to full queues since the connection was made, and keys given up where a keyed type had too many

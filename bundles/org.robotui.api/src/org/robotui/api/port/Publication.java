@@ -3,6 +3,7 @@ package org.robotui.api.port;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
+import org.robotui.api.replay.StreamHistory;
 import org.robotui.data.Data;
 import org.robotui.data.Stamp;
 
@@ -70,6 +71,14 @@ public interface Publication<T extends Data> extends Offer {
    * @param messages gives those that hold now, on any thread
    */
   default void held(Supplier<List<RawMessage>> messages) {}
+
+  /**
+   * Says that the robot is a recording, all of which can be read at any time. Called at most once, before anything is
+   * published; without a call a stream has no history, as those of live robots.
+   *
+   * @param all reads this stream by the name of its port
+   */
+  default void history(StreamHistory all) {}
 
   /**
    * Says that the source as such does not work although the link may; cleared by the next value, or by an empty reason.

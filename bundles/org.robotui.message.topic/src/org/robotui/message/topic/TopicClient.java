@@ -2,6 +2,7 @@ package org.robotui.message.topic;
 
 import java.util.Optional;
 import java.util.function.Consumer;
+import org.robotui.api.replay.StreamHistory;
 import org.robotui.message.DynamicMessage;
 import org.robotui.message.MessageSchema;
 import org.robotui.message.SchemaLookup;
@@ -37,6 +38,22 @@ public interface TopicClient {
    * @return the subscription; to be closed before the client
    */
   <M> TopicSubscription subscribe(String topic, String type, MessageForm<M> form, TopicListener<M> listener);
+
+  /**
+   * All messages of a topic, where this is no robot but a recording.
+   *
+   * @param <M> the Java value of a message
+   * @param port the name of the port to which the topic goes
+   * @param topic its name
+   * @param type the type of its messages
+   * @param form what they are read as
+   * @param conversion makes values of them
+   * @return where the port can be read by its name; none where messages are known only as they come
+   */
+  default <M> Optional<StreamHistory> history(String port, String topic, String type, MessageForm<M> form,
+      HistoryConversion<M> conversion) {
+    return Optional.empty();
+  }
 
   /**
    * Offers a topic for commands. As little as possible is entrusted to a network that stalls: what comes late does

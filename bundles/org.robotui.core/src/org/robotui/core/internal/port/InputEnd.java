@@ -13,6 +13,7 @@ import org.robotui.api.port.Input;
 import org.robotui.api.port.InputState;
 import org.robotui.api.port.Intake;
 import org.robotui.api.port.SourceId;
+import org.robotui.api.replay.StreamHistory;
 import org.robotui.core.internal.time.NanoClock;
 import org.robotui.data.Data;
 
@@ -131,6 +132,11 @@ public final class InputEnd<T extends Data> implements Input<T> {
   @Override
   public Optional<Envelope<T>> latest(SourceId source) {
     return find(source).flatMap(l -> l.tap().latest());
+  }
+
+  @Override
+  public synchronized Optional<StreamHistory> history(SourceId source) {
+    return matched.stream().filter(s -> s.id().equals(source)).findFirst().flatMap(StreamSource::history);
   }
 
   private Optional<Line<T>> find(SourceId source) {

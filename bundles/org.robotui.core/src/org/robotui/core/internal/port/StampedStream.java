@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import org.robotui.api.port.Publication;
 import org.robotui.api.port.RawMessage;
+import org.robotui.api.replay.StreamHistory;
 import org.robotui.core.internal.time.StampWatch;
 import org.robotui.data.Data;
 import org.robotui.data.Stamp;
@@ -41,6 +42,11 @@ public record StampedStream<T extends Data>(StreamSource<T> source, StampWatch w
   @Override
   public void held(Supplier<List<RawMessage>> messages) {
     source.held(messages);
+  }
+
+  @Override
+  public void history(StreamHistory all) {
+    source.history(all);
   }
 
   @Override

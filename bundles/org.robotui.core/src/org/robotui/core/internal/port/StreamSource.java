@@ -15,6 +15,7 @@ import org.robotui.api.port.Publication;
 import org.robotui.api.port.RawMessage;
 import org.robotui.api.port.SourceId;
 import org.robotui.api.port.StreamPort;
+import org.robotui.api.replay.StreamHistory;
 import org.robotui.core.internal.time.Ageing;
 import org.robotui.core.internal.time.NanoClock;
 import org.robotui.data.Data;
@@ -48,6 +49,7 @@ public final class StreamSource<T extends Data> implements Publication<T>, Offer
   private volatile long newestAt;
   private volatile String delivery = "";
   private volatile Optional<Supplier<List<RawMessage>>> held = Optional.empty();
+  private volatile Optional<StreamHistory> history = Optional.empty();
 
   private record Loss(String reason, long nanos, boolean healed) {}
 
@@ -112,6 +114,16 @@ public final class StreamSource<T extends Data> implements Publication<T>, Offer
   @Override
   public void held(Supplier<List<RawMessage>> messages) {
     held = Optional.of(messages);
+  }
+
+  @Override
+  public void history(StreamHistory all) {
+    history = Optional.of(all);
+  }
+
+  /** All that a recording has of it. */
+  Optional<StreamHistory> history() {
+    return history;
   }
 
   /** The messages that hold now beside the newest one; nothing where it does not consist of messages. */

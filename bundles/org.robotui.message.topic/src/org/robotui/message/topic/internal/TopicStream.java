@@ -5,7 +5,9 @@ import org.robotui.api.port.Arity;
 import org.robotui.api.port.Publication;
 import org.robotui.api.port.RawMessage;
 import org.robotui.api.port.StreamPort;
+import org.robotui.api.replay.RecordedValue;
 import org.robotui.data.Data;
+import org.robotui.data.Stamp;
 import org.robotui.data.record.DynamicRecord;
 import org.robotui.message.data.Adapter;
 import org.robotui.message.data.FrameNames;
@@ -111,13 +113,16 @@ final class TopicStream implements Followed {
   /** Holds the types of one adapter together. */
   private final class Entry<M, D extends Data> implements TopicListener<M> {
     private final Adapter<M, D> typed;
+    private final String port;
     private final Publication<D> publication;
 
     Entry(Adapter<M, D> typed) {
       this.typed = typed;
-      StreamPort<D> stream = new StreamPort<>(scope.settings().portName(topic), typed.data(), Arity.MANY,
-          topic + ", " + typed.type());
+      this.port = scope.settings().portName(topic);
+      StreamPort<D> stream = new StreamPort<>(port, typed.data(), Arity.MANY, topic + ", " + typed.type());
       this.publication = scope.context().offers().stream(stream, w -> wanted = w);
+      scope.client().history(port, topic, typed.type(), typed.form(), this::recorded)
+          .ifPresent(publication::history);
     }
 
     TopicSubscription subscribe() {
@@ -126,16 +131,24 @@ final class TopicStream implements Followed {
 
     @Override
     public void received(M message, Arrival arrival) {
-      FrameNames names = scope.clock().names();
       heard(arrival);
+      FrameNames names = scope.clock().names();
       try {
-        Optional<D> value = typed.convert().apply(message, names);
-        value.ifPresent(
-            v -> publication.publish(v, scope.clock().stamp(typed.stamp().applyAsLong(message), names),
-                arrival.receiveNanos(), Optional.of(raw(v, arrival))));
+        typed.convert().apply(message, names).ifPresent(value -> publication.publish(value, stamp(message, names),
+            arrival.receiveNanos(), Optional.of(raw(value, arrival))));
       } catch (IllegalArgumentException | ArithmeticException e) {
         lost(String.valueOf(e.getMessage()), arrival);
       }
+    }
+
+    private Optional<RecordedValue> recorded(M message, Arrival arrival, long time) {
+      FrameNames names = scope.clock().names();
+      return typed.convert().apply(message, names)
+          .map(value -> new RecordedValue(port, value, time, stamp(message, names), Optional.of(raw(value, arrival))));
+    }
+
+    private Optional<Stamp> stamp(M message, FrameNames names) {
+      return scope.clock().stamp(typed.stamp().applyAsLong(message), names);
     }
 
     @Override

@@ -7,7 +7,9 @@ import java.io.IOException;
 import java.nio.ByteOrder;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -20,6 +22,8 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.robotui.api.link.LinkState;
+import org.robotui.api.port.RawMessage;
+import org.robotui.api.replay.StreamHistory;
 import org.robotui.api.replay.TimeRange;
 import org.robotui.api.replay.TimelineState;
 import org.robotui.recording.RecordedChannel;
@@ -103,12 +107,38 @@ class RealPlaybackTest {
     context.published.forEach((port, values) -> {
       Published last = values.peekLast();
       if (last != null && last.raw().isPresent() && !UNSEEN.contains(port)) {
-        byte[] bytes = new byte[last.raw().get().bytes().size()];
-        last.raw().get().bytes().buffer(ByteOrder.LITTLE_ENDIAN).get(bytes);
-        all.put(port, Arrays.hashCode(bytes));
+        all.put(port, hash(last.raw().get()));
       }
     });
     return all;
+  }
+
+  private static int hash(RawMessage message) {
+    byte[] bytes = new byte[message.bytes().size()];
+    message.bytes().buffer(ByteOrder.LITTLE_ENDIAN).get(bytes);
+    return Arrays.hashCode(bytes);
+  }
+
+  /** By each port, what playing gives is the end of what is read whole: topics are taken up while it plays already. */
+  @ParameterizedTest
+  @MethodSource("files")
+  void readingGivesWhatPlayingGives(Path file) throws Exception {
+    try (PlayBench bench = new PlayBench()) {
+      FakeRficContext context = open(bench, file);
+      TimeRange span = bench.state().span().orElseThrow();
+      playUntil(bench, span.end());
+      PlayBench.await(() -> bench.state().toString(), bench.timeline::isThere);
+      assertTrue(!context.histories.isEmpty());
+      for (String port : new TreeSet<>(context.histories.keySet())) {
+        List<String> read = new ArrayList<>();
+        StreamHistory history = context.histories.get(port);
+        history.read(Set.of(port), span, value -> read.add(value.stamp() + " " + hash(value.raw().orElseThrow())));
+        List<String> played = context.published.get(port).stream()
+            .map(each -> each.stamp() + " " + hash(each.raw().orElseThrow())).toList();
+        assertTrue(played.size() <= read.size(), file + ", " + port + ": " + read.size() + " but " + played.size());
+        assertEquals(read.subList(read.size() - played.size(), read.size()), played, file + ", " + port);
+      }
+    }
   }
 
   @Test

@@ -25,6 +25,7 @@ final class SmallRecording implements AutoCloseable {
   private final RecordingWriter writer;
   private ByteBuffer last = ByteBuffer.allocate(0);
   private final Map<String, RecordedChannel> channels = new HashMap<>();
+  private final Map<String, PayloadFormat> formats = new HashMap<>();
 
   SmallRecording(Path file) throws RecordingException {
     writer = RecordingWriter.create(file, WriterOptions.defaults().withChunkBytes(2000));
@@ -57,7 +58,7 @@ final class SmallRecording implements AutoCloseable {
 
   SmallRecording say(String topic, String type, Map<String, String> metadata, double seconds,
       Map<String, Object> fields) throws RecordingException {
-    PayloadFormat format = FORMATS.of(new PayloadSource("cdr", type, "", ""));
+    PayloadFormat format = formats.computeIfAbsent(type, t -> FORMATS.of(new PayloadSource("cdr", t, "", "")));
     String definition = format.definition().orElseThrow().info().definition();
     RecordedChannel channel = channels.get(topic);
     if (channel == null) {

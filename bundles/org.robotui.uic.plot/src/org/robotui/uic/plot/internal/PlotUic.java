@@ -22,6 +22,7 @@ import org.robotui.uic.plot.internal.model.FieldTree;
 import org.robotui.uic.plot.internal.model.PlotEngine;
 import org.robotui.uic.plot.internal.model.PlotScene;
 import org.robotui.uic.plot.internal.model.Records;
+import org.robotui.uic.plot.internal.model.WholeSeries;
 import org.robotui.uic.plot.internal.trace.TimeSpan;
 import org.robotui.uic.plot.internal.view.ChooserPanel;
 import org.robotui.uic.plot.internal.view.Edits;
@@ -48,16 +49,26 @@ final class PlotUic extends SurfaceUic<PlotSurface> {
     this.context = context;
     this.input = context.input(PlotType.VALUES);
     this.engine = context.retained(PlotEngine.class)
-        .map(before -> new PlotEngine(input, context.clock(), context.settings(), before))
-        .orElseGet(() -> new PlotEngine(input, context.clock(), context.settings()));
+        .map(before -> new PlotEngine(input, context.clock(), context.settings(), whole(context), before))
+        .orElseGet(() -> new PlotEngine(input, context.clock(), context.settings(), whole(context)));
     this.exporter = new Exporter(context.background());
     this.edits = new Edits(context.settings());
     this.scene = engine.begin(System.nanoTime());
     offers().action("add", "Add a trace", Icon.PLUS, PlotSurface::toggleChooser)
-        .switched("pause", "Pause", Icon.PAUSE, s -> !state.isLive(), PlotSurface::pause)
+        .switched("pause", "Pause", Icon.PAUSE, PlotSurface::isHeld, PlotSurface::pause)
         .switched("cursors", "Cursors", Icon.RULER, s -> state.cursors().isPresent(), PlotSurface::cursors)
-        .action("live", "Back to live", Icon.FIT, PlotSurface::live)
+        .switched("statistics", "Statistics", Icon.TEXT, PlotSurface::showsStatistics, PlotSurface::statistics)
+        .action("live", "Back to live, or to the whole recording", Icon.FIT, PlotSurface::live)
         .action("export", "Export what is seen\u2026", Icon.SAVE, s -> s.export(false));
+  }
+
+  private WholeSeries whole(UicContext given) {
+    return new WholeSeries(input, given.background());
+  }
+
+  @Override
+  public void close() {
+    engine.close();
   }
 
   @Override
@@ -79,6 +90,9 @@ final class PlotUic extends SurfaceUic<PlotSurface> {
 
   /** Whether time went on so far that it is seen. */
   private boolean moved(PlotScene next) {
+    if (next.replay().isPresent() || scene.replay().isPresent()) {
+      return !next.replay().equals(scene.replay()); // its position, or what was read
+    }
     double window = next.spec().window() == 0 ? ALL_WINDOW : next.spec().window();
     return state.isLive() && !next.spec().isEmpty()
         && Math.abs(next.now() - shownNow) >= window / STEPS * TimeSpan.SECOND;
@@ -103,9 +117,10 @@ final class PlotUic extends SurfaceUic<PlotSurface> {
   public List<ViewKey> keys() {
     return List.of(
         new ViewKey("A, Insert", "Add a trace"),
-        new ViewKey("P", "Pause"),
+        new ViewKey("P", "Pause, or follow a recording"),
         new ViewKey("C", "Show cursors"),
-        new ViewKey("0, Home", "Return to live"),
+        new ViewKey("S", "Show statistics"),
+        new ViewKey("0, Home", "Return to live, or to the whole recording"),
         new ViewKey("+, -", "Zoom time"),
         new ViewKey("Left, right", "Move in time"),
         new ViewKey("Shift+Up, down", "Zoom values"));

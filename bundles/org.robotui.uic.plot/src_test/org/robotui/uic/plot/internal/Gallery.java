@@ -22,7 +22,7 @@ import org.robotui.ui.Themes;
 import org.robotui.ui.UiContext;
 import org.robotui.uic.plot.internal.model.PlotOptions;
 
-/** Shows the view in all its states side by side, for a person to look at: {@code Gallery dark|light [2]}. */
+/** Shows the view in all its states side by side, for a person to look at: {@code Gallery dark|light [2|recorded]}. */
 final class Gallery {
   private final GalleryWindow window;
   private final Theme theme;
@@ -37,7 +37,9 @@ final class Gallery {
     Theme theme = Themes.of(display, arguments[0]);
     GalleryWindow window = new GalleryWindow(display, theme.color(Role.LINE));
     Gallery gallery = new Gallery(window, theme);
-    if (arguments.length > 1) {
+    if (arguments.length > 1 && arguments[1].equals("recorded")) {
+      gallery.fillRecorded();
+    } else if (arguments.length > 1) {
       gallery.fillMore();
     } else {
       gallery.fill();
@@ -114,6 +116,62 @@ final class Gallery {
       canvas(s).notifyListeners(SWT.MouseDown, event);
       mouse(s, SWT.MouseMove, 380, 200, 1);
     });
+  }
+
+  /** Recordings: whole, zoomed, followed, while they are read, failed; and a view without traces. */
+  private void fillRecorded() {
+    cell(0, 0, 960, 480, c -> recorded(c, "base./odom:linear.x", "base./odom:angular.z",
+        "difference(base./odom:linear.x, base./odom:angular.z)"), s -> key(s, 's'));
+    cell(966, 0, 634, 300, c -> recorded(c, "base./odom:linear.x", "arm./joint_states:joints[0].position"),
+        s -> mouse(s, SWT.MouseMove, 250, 120, 0));
+    cell(966, 306, 634, 300, c -> recorded(c, "base./odom:linear.x"), s -> {
+      key(s, 'p');
+      key(s, 'c');
+    });
+    cell(0, 486, 500, 240, c -> {
+      recorded(c, "base./odom:linear.x");
+      c.background(task -> Thread.ofPlatform().daemon().start(() -> {
+        try {
+          Thread.sleep(1200);
+          task.run();
+        } catch (InterruptedException e) {
+          Thread.currentThread().interrupt();
+        }
+      }));
+    }, s -> {});
+    cell(506, 486, 454, 240, c -> recorded(c, "base./odom:linear.x").fail("run.mcap cannot be read at byte 1048576"),
+        s -> {});
+    cell(0, 732, 500, 268, c -> recorded(c), s -> {});
+    cell(506, 732, 454, 268, c -> recorded(c, "base./odom:linear.x", "base./odom:angular.z"), s -> {
+      for (int i = 0; i < 12; i++) {
+        key(s, '+');
+      }
+      key(s, 's');
+    });
+    cell(966, 612, 634, 388, c -> recorded(c, "base./odom:linear.x").tellEvery(20), s -> {
+      Event event = new Event();
+      event.stateMask = SWT.SHIFT;
+      event.button = 1;
+      event.x = 150;
+      event.y = 60;
+      canvas(s).notifyListeners(SWT.MouseDown, event);
+      mouse(s, SWT.MouseMove, 380, 200, 1);
+      mouse(s, SWT.MouseUp, 380, 200, 1);
+    });
+  }
+
+  private static KeptHistory recorded(FakeUicContext context, String... signals) {
+    FakeInput<Data> input = context.input(PlotType.VALUES);
+    Robots.candidates(input);
+    KeptTimeline timeline = new KeptTimeline();
+    timeline.seek(KeptHistory.BEGIN + 140 * KeptHistory.SECOND);
+    KeptHistory history = Robots.run(new KeptHistory(timeline));
+    input.history(Robots.ODOM, history);
+    input.history(Robots.JOINTS, history);
+    context.settings().set(PlotOptions.TIME, PlotOptions.BY_STAMP);
+    context.settings().set(PlotOptions.AXES,
+        signals.length == 0 ? List.of() : List.of(Map.of("traces", List.of(signals))));
+    return history;
   }
 
   private static void typical(FakeUicContext context) {

@@ -47,6 +47,7 @@ import org.robotui.uic.plot.internal.model.PlotEngine;
 import org.robotui.uic.plot.internal.model.PlotOptions;
 import org.robotui.uic.plot.internal.model.PlotScene;
 import org.robotui.uic.plot.internal.model.PlotSpec;
+import org.robotui.uic.plot.internal.model.WholeSeries;
 import org.robotui.uic.plot.internal.view.Exporter;
 
 @EnabledIf(value = Displays.AVAILABLE, disabledReason = Displays.REASON)
@@ -271,7 +272,8 @@ class PlotSwtTest {
   void tracesAreExported() throws IOException {
     plot(SPEED);
     Path file = folder.resolve("plot.csv");
-    PlotEngine engine = new PlotEngine(input, context.clock(), context.settings());
+    PlotEngine engine = new PlotEngine(input, context.clock(), context.settings(),
+        new WholeSeries(input, Runnable::run));
     engine.tick(System.nanoTime());
     input.put(Robots.ODOM, Robots.odometry(0.25, 0), System.nanoTime(), Optional.empty());
     Exporter exporter = new Exporter(Runnable::run);

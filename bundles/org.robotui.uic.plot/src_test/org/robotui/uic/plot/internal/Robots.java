@@ -50,6 +50,22 @@ public final class Robots {
         new Input.Candidate(new SourceId("base", "/turtle1/pose"), "turtlesim/Pose")));
   }
 
+  /** Five minutes of driving, recorded. */
+  public static KeptHistory run(KeptHistory history) {
+    Random random = new Random(2);
+    for (int ms = 0; ms <= 300_000; ms += 20) {
+      double s = ms / 1000.0;
+      double noise = random.nextGaussian() * 0.004;
+      double stop = s > 180 && s < 205 ? 0 : 1;
+      history.add(ODOM.port(), s, odometry(stop * (0.28 * Math.sin(s / 14) + 0.12) + noise,
+          stop * 0.35 * Math.cos(s / 9) - noise));
+      if (ms % 100 == 0) {
+        history.add(JOINTS.port(), s, joints(s / 20));
+      }
+    }
+    return history;
+  }
+
   /** A minute of driving that ends now. */
   public static void drive(FakeInput<Data> input) {
     drive(input, 0);

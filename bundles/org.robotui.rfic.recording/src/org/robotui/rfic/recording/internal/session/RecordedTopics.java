@@ -4,12 +4,14 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.LongSupplier;
+import org.robotui.api.replay.StreamHistory;
 import org.robotui.message.DynamicMessage;
 import org.robotui.message.MessageSchema;
 import org.robotui.message.SchemaLookup;
 import org.robotui.message.data.MessageForm;
 import org.robotui.message.payload.ReceptionRule;
 import org.robotui.message.payload.RosDefinitions;
+import org.robotui.message.topic.HistoryConversion;
 import org.robotui.message.topic.PromptPublisher;
 import org.robotui.message.topic.TopicClient;
 import org.robotui.message.topic.TopicListener;
@@ -27,6 +29,7 @@ final class RecordedTopics implements TopicClient {
   private final LongSupplier time;
   private final Runnable changed;
   private final TopicSettings settings;
+  private final RecordedHistory history;
   private final List<Reception<?>> receptions = new CopyOnWriteArrayList<>();
 
   /**
@@ -36,15 +39,17 @@ final class RecordedTopics implements TopicClient {
    * @param time what time it is in the recording
    * @param changed is told when something else is wanted; must not block
    * @param settings names ports
+   * @param history reads them whole
    */
   RecordedTopics(TopicTable table, RosDefinitions definitions, String file, LongSupplier time, Runnable changed,
-      TopicSettings settings) {
+      TopicSettings settings, RecordedHistory history) {
     this.table = table;
     this.definitions = definitions;
     this.file = file;
     this.time = time;
     this.changed = changed;
     this.settings = settings;
+    this.history = history;
   }
 
   /** What is wanted now. */
@@ -67,6 +72,13 @@ final class RecordedTopics implements TopicClient {
     receptions.add(made);
     changed.run();
     return made;
+  }
+
+  @Override
+  public <M> Optional<StreamHistory> history(String port, String topic, String type, MessageForm<M> form,
+      HistoryConversion<M> conversion) {
+    history.add(new HistoryStream<>(port, new ReceptionRule<>(topic, type, form), conversion));
+    return Optional.of(history);
   }
 
   @Override

@@ -53,8 +53,9 @@ public final class RecordingSession implements RobotSession {
     LaneScan lanes = new LaneScan(table, recording, span);
     PlayedContext context = new PlayedContext(core);
     this.player = new TrackPlayer(context, recording, span, lanes::lanes);
-    RecordedTopics channels = new RecordedTopics(table, definitions, settings.file().getFileName().toString(),
-        player::now, player::look, settings.topics());
+    String name = settings.file().getFileName().toString();
+    RecordedTopics channels = new RecordedTopics(table, definitions, name, player::now, player::look,
+        settings.topics(), new RecordedHistory(recording, table, name, span, timeline, player::offset));
     this.topics = new RobotTopics(context, settings.topics(), channels, new SharedTransforms(table::isNamespace));
     this.description = new DescriptionTopics(context, settings.topics(),
         DescriptionTopics.packages(System.getenv()), channels);

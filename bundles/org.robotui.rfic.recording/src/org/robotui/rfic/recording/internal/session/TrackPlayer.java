@@ -76,6 +76,11 @@ final class TrackPlayer implements PlayedTrack {
     return now;
   }
 
+  /** Where it lies on the timeline. */
+  long offset() {
+    return seat.map(Seat::offset).orElse(0L);
+  }
+
   /** Completes with the reason where the recording cannot be read any more. */
   CompletableFuture<String> ended() {
     return ended;

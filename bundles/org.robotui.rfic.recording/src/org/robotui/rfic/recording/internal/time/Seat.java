@@ -71,6 +71,20 @@ public final class Seat implements AutoCloseable {
     return time > FARTHEST ? NEVER : time + offset;
   }
 
+  /**
+   * Where the recording lies on the timeline.
+   *
+   * @return what is added to its times
+   */
+  public long offset() {
+    lock.lock();
+    try {
+      return offset;
+    } finally {
+      lock.unlock();
+    }
+  }
+
   /** As far as the timeline may pass, by the time of the timeline. */
   long limit() {
     return limit;

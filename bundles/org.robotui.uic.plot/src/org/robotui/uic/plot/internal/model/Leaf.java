@@ -3,7 +3,6 @@ package org.robotui.uic.plot.internal.model;
 import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.function.Supplier;
-import org.robotui.api.port.Envelope;
 import org.robotui.data.record.DynamicRecord;
 import org.robotui.uic.plot.internal.signal.Expr;
 import org.robotui.uic.plot.internal.signal.Pipeline;
@@ -17,6 +16,7 @@ final class Leaf {
   private final Expr.Field field;
   private final FieldReader reader;
   private final Sink sink;
+  private final double gap;
   private final Cadence cadence;
   private OptionalLong last = OptionalLong.empty();
   private OptionalLong sequence = OptionalLong.empty();
@@ -28,11 +28,16 @@ final class Leaf {
     this.field = input.field();
     this.reader = new FieldReader(field.path());
     this.sink = input.sink();
+    this.gap = gap;
     this.cadence = new Cadence(gap);
   }
 
   Expr.Field field() {
     return field;
+  }
+
+  double gap() {
+    return gap;
   }
 
   Optional<String> problem() {
@@ -60,14 +65,14 @@ final class Leaf {
     last = OptionalLong.of(time);
   }
 
-  /** Takes a value; says what was lost before it. */
-  Optional<Loss> take(Envelope<?> envelope, long time, DynamicRecord data, Supplier<DynamicRecord> own) {
+  /** Takes a value, given the number that its source gave it; says what was lost before it. */
+  Optional<Loss> take(long number, long time, DynamicRecord data, Supplier<DynamicRecord> own) {
     if (last.isPresent() && time < last.getAsLong()) {
       late++;
-      sequence = OptionalLong.of(envelope.sequence());
+      sequence = OptionalLong.of(number);
       return Optional.empty();
     }
-    Optional<Loss> loss = breakBefore(envelope.sequence(), time);
+    Optional<Loss> loss = breakBefore(number, time);
     switch (reader.read(data, own)) {
       case FieldReader.Number n -> number(time, n);
       case FieldReader.Missing m -> missing(time, m.reason());

@@ -70,7 +70,7 @@ final class LiveTrace {
     for (Leaf leaf : leaves) {
       if (leaf.field().source().equals(envelope.source())) {
         // All fields of a source lose the same values: they count once.
-        loss = leaf.take(envelope, time, data, own);
+        loss = leaf.take(envelope.sequence(), time, data, own);
       }
     }
     loss.ifPresent(this::note);
@@ -85,23 +85,7 @@ final class LiveTrace {
       }
       histories.add(recorded.get(leaf.field()).series.samples());
     }
-    int[] at = new int[histories.size()];
-    for (int next = earliest(histories, at); next >= 0; next = earliest(histories, at)) {
-      Samples history = histories.get(next);
-      leaves.get(next).replay(history.time(at[next]), history.value(at[next]));
-      at[next]++;
-    }
-  }
-
-  private static int earliest(List<Samples> histories, int[] at) {
-    int best = -1;
-    for (int i = 0; i < at.length; i++) {
-      boolean more = at[i] < histories.get(i).size();
-      if (more && (best < 0 || histories.get(i).time(at[i]) < histories.get(best).time(at[best]))) {
-        best = i;
-      }
-    }
-    return best;
+    FieldMerge.into(leaves, histories);
   }
 
   private void note(Loss loss) {

@@ -30,6 +30,7 @@ public final class PlotEngine {
   private final RobotClock clock;
   private final SettingsStore settings;
   private final SampleClock times;
+  private final WholeSeries whole;
   private final Map<String, Signal> signals = new HashMap<>();
   private final Map<Expr, LiveTrace> traces = new LinkedHashMap<>();
   private final Map<SourceId, Envelope<Data>> newest = new ConcurrentHashMap<>();
@@ -41,8 +42,9 @@ public final class PlotEngine {
   private boolean renewed = true;
   private int taken;
 
-  public PlotEngine(Input<Data> input, RobotClock clock, SettingsStore settings) {
+  public PlotEngine(Input<Data> input, RobotClock clock, SettingsStore settings, WholeSeries whole) {
     this.input = input;
+    this.whole = whole;
     this.clock = clock;
     this.settings = settings;
     this.read = settings.current();
@@ -53,8 +55,10 @@ public final class PlotEngine {
   }
 
   /** Goes on with what another one has recorded, which records no more. */
-  public PlotEngine(Input<Data> input, RobotClock clock, SettingsStore settings, PlotEngine before) {
+  public PlotEngine(Input<Data> input, RobotClock clock, SettingsStore settings, WholeSeries whole,
+      PlotEngine before) {
     this.input = input;
+    this.whole = whole;
     this.clock = clock;
     this.settings = settings;
     this.read = before.read;
@@ -83,6 +87,8 @@ public final class PlotEngine {
   /** Takes what came; gives what is to be shown. */
   public PlotScene tick(long nowNanos) {
     configure();
+    whole.follow(Set.copyOf(traces.keySet()), new WholeSeries.Rules(spec.byStamp(), read.number(PlotOptions.GAP),
+        read.integer(PlotOptions.MEMORY)));
     choose();
     if (clock.epoch() != epoch) {
       epoch = clock.epoch();
@@ -145,7 +151,8 @@ public final class PlotEngine {
 
   private void choose() {
     Set<SourceId> wanted = new HashSet<>(watched);
-    traces.keySet().forEach(expr -> expr.fields().map(Expr.Field::source).forEach(wanted::add));
+    traces.keySet().stream().filter(expr -> whole.trace(expr).isEmpty())
+        .forEach(expr -> expr.fields().map(Expr.Field::source).forEach(wanted::add));
     if (!wanted.equals(chosen)) {
       chosen = Set.copyOf(wanted);
       input.choose(chosen);
@@ -169,13 +176,14 @@ public final class PlotEngine {
     Sources sources = new Sources(input);
     List<List<TraceView>> axes = spec.axes().stream()
         .map(axis -> IntStream.range(0, axis.traces().size()).mapToObj(i -> view(axis, i, sources)).toList()).toList();
-    return new PlotScene(spec, TraceNames.told(axes), now);
+    return new PlotScene(spec, TraceNames.told(axes), now, whole.replay());
   }
 
   private TraceView view(AxisSpec axis, int index, Sources sources) {
     TraceSpec trace = axis.traces().get(index);
     Signal signal = signals.get(trace.signal());
-    return signal.expr().map(expr -> view(trace, axis.colour(index), traces.get(expr), sources))
+    return signal.expr().map(expr -> whole.trace(expr).map(all -> view(trace, axis.colour(index), all))
+        .orElseGet(() -> view(trace, axis.colour(index), traces.get(expr), sources)))
         .orElseGet(() -> new TraceView(trace, axis.colour(index), trace.label().orElse(trace.signal()), "", "",
             Optional.empty(),
             Sources.WRONG, signal.error(), List.of(), 0));
@@ -187,5 +195,16 @@ public final class PlotEngine {
         spec.unit().orElseGet(trace::unit), Optional.of(trace.series()), sources.state(trace.expr()), trace.problem(),
         trace.losses(),
         trace.late());
+  }
+
+  private static TraceView view(TraceSpec spec, int colour, WholeTrace trace) {
+    return new TraceView(spec, colour, spec.label().orElseGet(() -> Labels.of(trace.expr())),
+        Labels.sources(trace.expr()), spec.unit().orElseGet(trace::unit), Optional.of(trace.series()), trace.state(),
+        trace.problem(), List.of(), trace.late(), Optional.of(trace.remark()));
+  }
+
+  /** Ends what goes on beside ticks. Any thread, when there are no more of them. */
+  public void close() {
+    whole.close();
   }
 }

@@ -38,6 +38,32 @@ public record TimeView(Optional<TimeSpan> held, OptionalDouble zoomed) {
     return TimeSpan.until(now, zoomed.orElse(window));
   }
 
+  /**
+   * The span that is seen of recordings: what is held; else a span that goes along with the position of the timeline;
+   * else all.
+   *
+   * @param position where the timeline is
+   * @param all of the recordings
+   */
+  public TimeSpan played(long position, TimeSpan all) {
+    if (held.isPresent()) {
+      return held.get();
+    }
+    return isFollowing()
+        ? TimeSpan.until(position, zoomed.getAsDouble()).moved(TimeSpan.nanos(zoomed.getAsDouble()) / 2)
+        : all.widened();
+  }
+
+  /** Whether it goes along with the position of the timeline. */
+  public boolean isFollowing() {
+    return held.isEmpty() && zoomed.isPresent();
+  }
+
+  /** Goes along with the position of the timeline. */
+  public static TimeView following(double seconds) {
+    return new TimeView(Optional.empty(), OptionalDouble.of(Math.clamp(seconds, SHORTEST, LONGEST)));
+  }
+
   /** Holds what is seen now. */
   public TimeView hold(TimeSpan seen) {
     return new TimeView(Optional.of(seen), zoomed);

@@ -18,6 +18,7 @@ import org.robotui.uic.plot.internal.trace.Series;
  * @param problem why it has no values, where it has none
  * @param losses what was lost on the way, the oldest first
  * @param late values left out since they came with a time before that of the newest
+ * @param recorded what is to be said of a trace that is read whole from a recording; none while it is live
  */
 public record TraceView(
     TraceSpec spec,
@@ -29,13 +30,20 @@ public record TraceView(
     InputState state,
     Optional<String> problem,
     List<Loss> losses,
-    long late) {
+    long late,
+    Optional<String> recorded) {
   public TraceView {
     losses = List.copyOf(losses);
   }
 
+  /** A live one. */
+  public TraceView(TraceSpec spec, int colour, String label, String sources, String unit, Optional<Series> series,
+      InputState state, Optional<String> problem, List<Loss> losses, long late) {
+    this(spec, colour, label, sources, unit, series, state, problem, losses, late, Optional.empty());
+  }
+
   TraceView withLabel(String next) {
-    return new TraceView(spec, colour, next, sources, unit, series, state, problem, losses, late);
+    return new TraceView(spec, colour, next, sources, unit, series, state, problem, losses, late, recorded);
   }
 
   /** Whether there is a line to draw. */

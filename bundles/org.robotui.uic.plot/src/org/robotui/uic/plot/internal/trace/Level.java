@@ -8,6 +8,7 @@ final class Level {
   private final double[] min;
   private final double[] max;
   private final double[] sum;
+  private final double[] squares;
   private final int[] count;
 
   Level(int samples, int width) {
@@ -16,6 +17,7 @@ final class Level {
     min = new double[buckets];
     max = new double[buckets];
     sum = new double[buckets];
+    squares = new double[buckets];
     count = new int[buckets];
     Arrays.fill(min, Double.POSITIVE_INFINITY);
     Arrays.fill(max, Double.NEGATIVE_INFINITY);
@@ -30,12 +32,14 @@ final class Level {
       int bucket = index / width;
       min[bucket] = Math.min(min[bucket], value);
       max[bucket] = Math.max(max[bucket], value);
+      double before = count[bucket] == 0 ? value : sum[bucket] / count[bucket];
       sum[bucket] += value;
       count[bucket]++;
+      squares[bucket] += (value - before) * (value - sum[bucket] / count[bucket]);
     }
   }
 
   void into(int bucket, Summary summary) {
-    summary.add(min[bucket], max[bucket], sum[bucket], count[bucket]);
+    summary.add(min[bucket], max[bucket], sum[bucket], squares[bucket], count[bucket]);
   }
 }

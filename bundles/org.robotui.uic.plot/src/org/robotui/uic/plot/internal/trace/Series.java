@@ -68,6 +68,17 @@ public final class Series {
     summarize(indexOf(span.from()), indexOf(span.to() + 1), summary);
   }
 
+  /** The same for users to read. */
+  public synchronized Statistics statistics(TimeSpan span) {
+    int from = skip(indexOf(span.from()), 1);
+    int to = skip(indexOf(span.to() + 1) - 1, -1);
+    Summary all = new Summary();
+    if (from <= to) {
+      summarize(from, to + 1, all);
+    }
+    return Statistics.of(all, from < to ? time(to) - time(from) : 0);
+  }
+
   /** The sample nearest to a time within a distance; breaks do not count. */
   public synchronized Optional<Sample> nearest(long time, long within) {
     int after = skip(indexOf(time), 1);
@@ -76,6 +87,12 @@ public final class Series {
     return best.isPresent() && Math.abs(time(best.getAsInt()) - time) <= within
         ? Optional.of(new Sample(time(best.getAsInt()), value(best.getAsInt())))
         : Optional.empty();
+  }
+
+  /** The newest sample at or before a time that is a number. */
+  public synchronized Optional<Sample> lastUntil(long time) {
+    int last = skip(indexOf(time + 1) - 1, -1);
+    return last < 0 ? Optional.empty() : Optional.of(new Sample(time(last), value(last)));
   }
 
   /** The newest sample that is a number. */

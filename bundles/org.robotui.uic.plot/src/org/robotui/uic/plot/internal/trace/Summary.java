@@ -5,12 +5,15 @@ public final class Summary {
   private double min = Double.POSITIVE_INFINITY;
   private double max = Double.NEGATIVE_INFINITY;
   private double sum;
+  /** Of the distances from the mean. */
+  private double squares;
   private long count;
 
   public void clear() {
     min = Double.POSITIVE_INFINITY;
     max = Double.NEGATIVE_INFINITY;
     sum = 0;
+    squares = 0;
     count = 0;
   }
 
@@ -18,12 +21,20 @@ public final class Summary {
     if (Double.isFinite(value)) {
       min = Math.min(min, value);
       max = Math.max(max, value);
+      double before = count == 0 ? value : mean();
       sum += value;
       count++;
+      squares += (value - before) * (value - mean());
     }
   }
 
-  void add(double lowest, double highest, double total, long samples) {
+  /** Two groups together have the squares of both, and those of the distance between their means. */
+  void add(double lowest, double highest, double total, double distances, long samples) {
+    if (count > 0 && samples > 0) {
+      double apart = total / samples - mean();
+      squares += apart * apart * count * samples / (count + samples);
+    }
+    squares += distances;
     min = Math.min(min, lowest);
     max = Math.max(max, highest);
     sum += total;
@@ -31,7 +42,7 @@ public final class Summary {
   }
 
   public void add(Summary other) {
-    add(other.min, other.max, other.sum, other.count);
+    add(other.min, other.max, other.sum, other.squares, other.count);
   }
 
   public boolean isEmpty() {
@@ -55,5 +66,10 @@ public final class Summary {
   /** NaN where there is none. */
   public double mean() {
     return count == 0 ? Double.NaN : sum / count;
+  }
+
+  /** The standard deviation, divided by the count; NaN where there is none. */
+  public double deviation() {
+    return count == 0 ? Double.NaN : Math.sqrt(Math.max(0, squares) / count);
   }
 }

@@ -44,6 +44,13 @@ public record TimeSpan(long from, long to) {
     return new TimeSpan(Math.min(from, other.from), Math.max(to, other.to));
   }
 
+  /** A little more at both ends, so that what lies there is seen. */
+  public TimeSpan widened() {
+    long more = Math.max(SHORTEST, length() / 50);
+    return Math.abs((double) from) > FARTHEST || Math.abs((double) to) > FARTHEST ? this
+        : new TimeSpan(from - more, to + more);
+  }
+
   /** Earlier or later; not beyond the times that numbers can tell. */
   public TimeSpan moved(long nanos) {
     boolean beyond = Math.abs((double) from + nanos) > FARTHEST || Math.abs((double) to + nanos) > FARTHEST;

@@ -37,12 +37,12 @@ final class LegendPainter {
   }
 
   /** Paints the legend of an axis; gives where the traces stand in it. */
-  List<Place> paint(GC gc, AxisFrame frame, Optional<Long> pointed, Optional<CursorPair> cursors,
+  List<Place> paint(GC gc, AxisFrame frame, LegendRow.Moment moment, Optional<CursorPair> cursors,
       Optional<Point> pointer) {
     if (frame.legend().height == 0) {
       return List.of();
     }
-    List<LegendRow> rows = frame.traces().stream().map(t -> LegendRow.of(frame, t, pointed, cursors)).toList();
+    List<LegendRow> rows = frame.traces().stream().map(t -> LegendRow.of(frame, t, moment, cursors)).toList();
     return frame.legend().height > Frames.CHIPS ? side(gc, frame, rows, pointer) : chips(gc, frame, rows, pointer);
   }
 

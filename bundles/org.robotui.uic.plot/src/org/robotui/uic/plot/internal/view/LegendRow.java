@@ -8,6 +8,7 @@ import org.robotui.uic.plot.internal.model.CursorPair;
 import org.robotui.uic.plot.internal.model.Readout;
 import org.robotui.uic.plot.internal.model.TraceView;
 import org.robotui.uic.plot.internal.trace.Sample;
+import org.robotui.uic.plot.internal.trace.Series;
 import org.robotui.uic.plot.internal.trace.Summary;
 
 /**
@@ -23,14 +24,27 @@ record LegendRow(TraceView trace, String value, String number, String figures, O
   /** What is wrong, or notable. */
   record Trouble(Health health, String text) {}
 
-  /** At the pointer where it is over the plot, else the newest. */
-  static LegendRow of(AxisFrame frame, TraceView trace, Optional<Long> pointed, Optional<CursorPair> cursors) {
-    Optional<Sample> sample = trace.series().flatMap(s -> pointed.isPresent()
-        ? s.nearest(pointed.get(), reach(frame))
-        : s.newest());
+  /**
+   * Of which time the values are.
+   *
+   * @param pointed where the pointer is, if it is over a plot
+   * @param position where the timeline of recordings is, if there are any
+   */
+  record Moment(Optional<Long> pointed, Optional<Long> position) {}
+
+  /** At the pointer where it is over the plot, else at the position of a recording, else the newest. */
+  static LegendRow of(AxisFrame frame, TraceView trace, Moment moment, Optional<CursorPair> cursors) {
+    Optional<Sample> sample = trace.series().flatMap(s -> sample(frame, trace, s, moment));
     String value = sample.map(s -> Readout.of(s.value(), trace.unit())).orElse("");
     String number = sample.map(s -> Readout.of(s.value())).orElse("");
     return new LegendRow(trace, value, number, figures(frame, trace, cursors), trouble(trace));
+  }
+
+  private static Optional<Sample> sample(AxisFrame frame, TraceView trace, Series series, Moment moment) {
+    if (moment.pointed().isPresent()) {
+      return series.nearest(moment.pointed().get(), reach(frame));
+    }
+    return trace.recorded().isPresent() ? moment.position().flatMap(series::lastUntil) : series.newest();
   }
 
   /** How far from a time a sample may lie to be shown for it. */
@@ -45,7 +59,8 @@ record LegendRow(TraceView trace, String value, String number, String figures, O
       text.append(" [").append(trace.unit()).append(']');
     }
     if (trace.series().isPresent()) {
-      text.append('\n').append(StateView.word(trace.state())).append(" \u00b7 ").append(trace.series().get().size())
+      text.append('\n').append(trace.recorded().orElseGet(() -> StateView.word(trace.state()))).append(" \u00b7 ")
+          .append(trace.series().get().size())
           .append(" samples kept");
     }
     trouble.ifPresent(t -> text.append('\n').append(t.text()));

@@ -9,6 +9,8 @@ import org.eclipse.swt.widgets.Canvas;
 import org.eclipse.swt.widgets.Event;
 import org.robotui.uic.plot.internal.model.CursorPair;
 import org.robotui.uic.plot.internal.model.PlotScene;
+import org.robotui.uic.plot.internal.model.Replay;
+import org.robotui.uic.plot.internal.model.TimeView;
 import org.robotui.uic.plot.internal.model.ValueSpan;
 import org.robotui.uic.plot.internal.trace.TimeSpan;
 
@@ -28,6 +30,8 @@ final class Navigation {
   private final PlotState state;
   private final PlotPainter painter;
   private Optional<Drag> drag = Optional.empty();
+  private Optional<Long> before = Optional.empty();
+  private boolean dragged;
 
   Navigation(Canvas canvas, Supplier<PlotScene> scene, PlotState state, PlotPainter painter) {
     this.canvas = canvas;
@@ -37,7 +41,7 @@ final class Navigation {
   }
 
   private enum Kind {
-    TIME, VALUES, BOX, CURSOR_A, CURSOR_B
+    TIME, VALUES, BOX, CURSOR_A, CURSOR_B, POSITION
   }
 
   /** What is held, since where, and how all lay then. */
@@ -56,9 +60,15 @@ final class Navigation {
         e -> e.doit = e.detail == SWT.TRAVERSE_TAB_NEXT || e.detail == SWT.TRAVERSE_TAB_PREVIOUS);
   }
 
-  /** Holds what is seen, or goes back to live. */
+  /** Holds what is seen, or goes back to live; of recordings: or goes along with their position. */
   void pause() {
-    if (state.isLive()) {
+    if (scene.get().replay().isPresent()) {
+      if (state.isFollowing()) {
+        state.hold(scene.get());
+      } else {
+        state.follow(scene.get());
+      }
+    } else if (state.isLive()) {
       state.hold(scene.get());
     } else {
       state.live();
@@ -80,6 +90,7 @@ final class Navigation {
 
   private void down(Event event) {
     canvas.setFocus();
+    dragged = false;
     if (event.button == 1 || event.button == 2) {
       drag = at(new Point(event.x, event.y)).flatMap(frame -> grab(event, frame));
     }
@@ -96,6 +107,11 @@ final class Navigation {
     }
     if (event.button == 1 && cursors.filter(c -> PointerPainter.near(frame, c.a(), event.x)).isPresent()) {
       return Optional.of(new Drag(Kind.CURSOR_A, frame, start));
+    }
+    boolean position = event.button == 1 && scene.get().replay()
+        .filter(replay -> PointerPainter.near(frame, replay.position(), event.x)).isPresent();
+    if (position) {
+      return Optional.of(new Drag(Kind.POSITION, frame, start));
     }
     boolean box = event.button == 1 && (event.stateMask & SWT.SHIFT) != 0;
     return Optional.of(new Drag(box ? Kind.BOX : Kind.TIME, frame, start));
@@ -117,6 +133,8 @@ final class Navigation {
       case CURSOR_A -> state.cursors(state.cursors().map(c -> c.withA(d.frame().time(here.x))));
       case CURSOR_B -> state.cursors(state.cursors().map(c -> c.withB(d.frame().time(here.x))));
       case BOX -> state.box(Optional.of(box(d, here)));
+      case POSITION -> seek(d.frame().time(Math.clamp(here.x, d.frame().plot().x,
+          d.frame().plot().x + d.frame().plot().width)));
       case TIME -> dragTime(d, here);
       case VALUES -> dragValues(d, here.y - d.start().y, true);
     }
@@ -124,7 +142,8 @@ final class Navigation {
 
   private void dragTime(Drag d, Point here) {
     int dx = here.x - d.start().x;
-    if (Math.abs(dx) > STILL || !state.isLive()) {
+    dragged |= Math.abs(dx) > STILL || Math.abs(here.y - d.start().y) > STILL;
+    if (dragged || !state.isLive() && scene.get().replay().isEmpty()) {
       long moved = d.frame().time((double) -dx);
       state.time(scene.get(), d.frame().index(),
           state.time(scene.get(), d.frame().index()).moved(d.frame().span(), moved));
@@ -149,7 +168,20 @@ final class Navigation {
         Math.abs(y - d.start().y));
   }
 
+  private void seek(long time) {
+    scene.get().replay().ifPresent(replay -> replay.timeline().seek(time));
+  }
+
+  /** A click into a plot of recordings goes to that time. */
+  private void clicked(Drag d) {
+    if (!dragged && d.kind() == Kind.TIME) {
+      before = scene.get().replay().map(Replay::position);
+      seek(d.frame().time(d.start().x));
+    }
+  }
+
   private void up(Event event) {
+    drag.filter(d -> event.button == 1).ifPresent(this::clicked);
     drag.filter(d -> d.kind() == Kind.BOX).ifPresent(d -> state.box().ifPresent(box -> zoomInto(d.frame(), box)));
     drag = Optional.empty();
     state.box(Optional.empty());
@@ -174,6 +206,8 @@ final class Navigation {
 
   private void back(Point point) {
     if (at(point).isPresent()) {
+      before.ifPresent(this::seek); // it was no click
+      before = Optional.empty();
       live();
     }
   }
@@ -194,8 +228,10 @@ final class Navigation {
 
   private void zoomTime(AxisFrame frame, double factor, int x) {
     int axis = frame.index();
-    state.time(scene.get(), axis,
-        state.time(scene.get(), axis).zoomed(state.span(scene.get(), axis), factor, frame.time(x)));
+    TimeSpan seen = state.span(scene.get(), axis);
+    TimeView view = state.time(scene.get(), axis);
+    boolean goesOn = scene.get().replay().isEmpty() || view.isFollowing();
+    state.time(scene.get(), axis, (goesOn ? view : view.hold(seen)).zoomed(seen, factor, frame.time(x)));
     canvas.redraw();
   }
 
@@ -235,7 +271,9 @@ final class Navigation {
   }
 
   private void keyZoom(double factor) {
-    painter.frames().stream().findFirst().ifPresent(f -> zoomTime(f, factor, f.plot().x + f.plot().width / 2));
+    painter.frames().stream().findFirst().ifPresent(f -> zoomTime(f, factor, scene.get().replay().map(Replay::position)
+        .filter(f.span()::contains).map(position -> Math.round(f.x(position)))
+        .orElse(f.plot().x + f.plot().width / 2)));
   }
 
   private void keyValues(Event event, double share) {

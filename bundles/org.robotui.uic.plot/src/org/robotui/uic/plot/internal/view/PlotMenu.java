@@ -25,7 +25,13 @@ final class PlotMenu {
 
     void pause();
 
+    void all();
+
     void cursors();
+
+    void statistics();
+
+    void copyStatistics();
 
     void export(boolean all);
 
@@ -55,8 +61,15 @@ final class PlotMenu {
     menu.push("Add an axis", () -> edits.axes(s -> s.withAxes(Stream.concat(
         s.axes().stream(), Stream.of(AxisSpec.EMPTY)).toList())));
     menu.line();
-    menu.push(state.isLive() ? "Pause" : "Back to live", commands::pause);
+    if (scene.replay().isPresent()) {
+      menu.check("Follow the recording", state.isFollowing(), now -> commands.pause());
+      menu.push("Show all of it", commands::all);
+    } else {
+      menu.push(state.isLive() ? "Pause" : "Back to live", commands::pause);
+    }
     menu.check("Cursors", state.cursors().isPresent(), now -> commands.cursors());
+    menu.push("Statistics", commands::statistics);
+    menu.push("Copy statistics", commands::copyStatistics);
     options(menu, scene.spec());
     menu.line();
     menu.push("Export what is seen\u2026", () -> commands.export(false));

@@ -14,6 +14,7 @@ import org.robotui.ui.TextFit;
 import org.robotui.ui.Theme;
 import org.robotui.uic.plot.internal.model.LineStyle;
 import org.robotui.uic.plot.internal.model.PlotScene;
+import org.robotui.uic.plot.internal.model.Replay;
 import org.robotui.uic.plot.internal.model.TraceView;
 
 /** Paints the whole view, and knows afterwards where everything lies. Display thread. */
@@ -58,7 +59,7 @@ final class PlotPainter {
     Optional<AxisFrame> pointed = state.pointer().flatMap(this::plotAt);
     List<LegendPainter.Place> named = new ArrayList<>();
     for (AxisFrame frame : frames) {
-      boolean live = state.time(scene, frame.index()).isLive();
+      boolean live = scene.replay().isEmpty() && state.time(scene, frame.index()).isLive();
       axes.paint(gc, frame, live, hasSamples(frame));
       Rectangle clip = gc.getClipping();
       gc.setClipping(frame.plot().x, frame.plot().y - 1, frame.plot().width, frame.plot().height + 2);
@@ -68,8 +69,9 @@ final class PlotPainter {
         axes.units(gc, frame);
       }
       overlay(gc, frame, scene, state, pointed);
-      named.addAll(
-          legends.paint(gc, frame, pointedTime(pointed, scene, frame, state), state.cursors(), state.pointer()));
+      Optional<Long> read = pointedTime(pointed, scene, frame, state);
+      named.addAll(legends.paint(gc, frame, new LegendRow.Moment(read, scene.replay().map(Replay::position)),
+          state.cursors(), state.pointer()));
     }
     places = List.copyOf(named);
     state.box().ifPresent(box -> pointers.box(gc, box));
@@ -115,6 +117,7 @@ final class PlotPainter {
       message(gc, frame);
       return;
     }
+    scene.replay().ifPresent(replay -> pointers.position(gc, frame, replay));
     state.cursors().ifPresent(c -> pointers.cursors(gc, frame, c, frame.index() == 0 || !scene.spec().linked()));
     if (state.box().isEmpty()) {
       pointedTime(pointed, scene, frame, state).ifPresent(time -> pointers.values(gc, frame, time,
@@ -144,7 +147,8 @@ final class PlotPainter {
     if (first.problem().isPresent()) {
       states.message(gc, frame.plot(), Health.BAD, first.spec().signal(), first.problem().get());
     } else if (first.state() instanceof InputState.Live) {
-      states.message(gc, frame.plot(), Health.WAITING, "No values yet", "");
+      states.message(gc, frame.plot(), first.recorded().isPresent() ? Health.NONE : Health.WAITING,
+          first.recorded().isPresent() ? "No values in the recording" : "No values yet", "");
     } else {
       states.paint(gc, frame.plot(), first.state());
     }

@@ -17,6 +17,9 @@ import org.robotui.uic.plot.internal.trace.TimeSpan;
 
 /** Where the user looks, as long as the view is there: times, zoomed scales, cursors, the pointer. Display thread. */
 public final class PlotState {
+  private static final double WHOLE = 0.95;
+  private static final double PARTS = 10;
+
   private final List<TimeView> times = new ArrayList<>(List.of(TimeView.LIVE));
   private final List<Scale> scales = new ArrayList<>();
   private Optional<CursorPair> cursors = Optional.empty();
@@ -44,7 +47,9 @@ public final class PlotState {
   }
 
   TimeSpan span(PlotScene scene, int axis) {
-    return time(scene, axis).span(scene.now(), scene.spec().window(), scene.extent());
+    return scene.replay()
+        .map(replay -> time(scene, axis).played(replay.position(), scene.extent().orElse(replay.span())))
+        .orElseGet(() -> time(scene, axis).span(scene.now(), scene.spec().window(), scene.extent()));
   }
 
   /** Whether time goes on. Any thread. */
@@ -52,10 +57,29 @@ public final class PlotState {
     return live;
   }
 
+  /** Whether all that is seen goes along with the position of recordings. Display thread. */
+  boolean isFollowing() {
+    return times.stream().allMatch(TimeView::isFollowing);
+  }
+
+  /** Goes along with the position of recordings: as much time is seen as before, or the configured one beside all. */
+  void follow(PlotScene scene) {
+    double all = scene.extent().map(TimeSpan::seconds).orElse(0.0);
+    for (int axis = 0; axis < axes(scene); axis++) {
+      double seen = span(scene, axis).seconds();
+      double window = scene.spec().window();
+      double wanted = seen < all * WHOLE ? seen : window > 0 && window < all ? window : all / PARTS;
+      time(scene, axis, TimeView.following(wanted));
+    }
+  }
+
+  private static int axes(PlotScene scene) {
+    return scene.spec().linked() ? 1 : Math.max(1, scene.axes().size());
+  }
+
   /** Holds what is seen now. */
   void hold(PlotScene scene) {
-    int axes = scene.spec().linked() ? 1 : Math.max(1, scene.axes().size());
-    for (int axis = 0; axis < axes; axis++) {
+    for (int axis = 0; axis < axes(scene); axis++) {
       time(scene, axis, time(scene, axis).hold(span(scene, axis)));
     }
   }

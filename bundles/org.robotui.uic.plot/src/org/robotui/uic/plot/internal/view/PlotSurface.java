@@ -25,6 +25,7 @@ import org.robotui.ui.ViewSurface;
 import org.robotui.ui.control.QuietButton;
 import org.robotui.ui.control.SaveDialog;
 import org.robotui.uic.plot.internal.model.PlotScene;
+import org.robotui.uic.plot.internal.model.Replay;
 import org.robotui.uic.plot.internal.trace.TimeSpan;
 
 /** What is seen of the view while it is shown. Display thread. */
@@ -45,6 +46,7 @@ public final class PlotSurface implements ViewSurface {
   private final Navigation navigation;
   private final PlotMenu menu;
   private final ChooserPanel chooser;
+  private final StatisticsPane statistics;
   private final PortAdder ports;
   private final DropZone drops;
   private final QuietButton choose;
@@ -71,6 +73,7 @@ public final class PlotSurface implements ViewSurface {
     this.canvas = new PaintedCanvas(root, context.theme(), this::paint);
     this.chooser =
         new ChooserPanel(root, context.theme(), robot, text -> edits.add(text, lastAxis()), this::closeChooser);
+    this.statistics = new StatisticsPane(root, context.theme(), () -> showStatistics(true));
     this.navigation = new Navigation(canvas, () -> this.scene, state, painter);
     this.menu = new PlotMenu(edits, new Commands(), robot.ports(context.theme()));
     this.ports = new PortAdder(canvas, robot, new Ports());
@@ -92,7 +95,12 @@ public final class PlotSurface implements ViewSurface {
     if (next.axes().size() != scene.axes().size()) {
       state.forgetScales();
     }
+    boolean others = !next.spec().equals(scene.spec());
     scene = next;
+    showStatistics(others);
+    if (others) {
+      place();
+    }
     context.note(note());
     choose.setVisible(scene.axes().isEmpty() && !chooser.isOpen());
     chooser.refresh();
@@ -134,6 +142,11 @@ public final class PlotSurface implements ViewSurface {
     return choosing;
   }
 
+  /** Whether time stands: what is seen neither is live nor goes along with a recording. */
+  public boolean isHeld() {
+    return scene.replay().isPresent() ? !state.isFollowing() : !state.isLive();
+  }
+
   public void pause() {
     navigation.pause();
     show(scene);
@@ -146,6 +159,21 @@ public final class PlotSurface implements ViewSurface {
 
   public void cursors() {
     navigation.cursors();
+  }
+
+  /** Shows the statistics below the axes, or takes them away. */
+  public void statistics() {
+    statistics.open(!statistics.isOpen());
+    showStatistics(true);
+    place();
+  }
+
+  private void showStatistics(boolean now) {
+    statistics.show(scene, state, now);
+  }
+
+  public boolean showsStatistics() {
+    return statistics.isOpen();
   }
 
   /** Asks for a file and writes what is seen, or all, to it. */
@@ -184,8 +212,11 @@ public final class PlotSurface implements ViewSurface {
     canvas.addListener(SWT.KeyDown, e -> {
       if (e.keyCode == SWT.INSERT || e.keyCode == 'a' && (e.stateMask & SWT.MODIFIER_MASK) == 0) {
         choose("");
+      } else if (e.keyCode == 's' && (e.stateMask & SWT.MODIFIER_MASK) == 0) {
+        statistics();
       }
     });
+    canvas.addListener(SWT.Paint, e -> showStatistics(false));
   }
 
   /** A click on the name of a trace hides or shows it. */
@@ -211,7 +242,9 @@ public final class PlotSurface implements ViewSurface {
     int wide = area.width - PANEL < LEAST_PLOT ? area.width : PANEL;
     int panel = chooser.isOpen() ? wide : 0;
     chooser.control().setBounds(0, 0, panel, area.height);
-    canvas.setBounds(panel, 0, Math.max(0, area.width - panel), area.height);
+    int below = statistics.height(scene, area.height);
+    canvas.setBounds(panel, 0, Math.max(0, area.width - panel), area.height - below);
+    statistics.control().setBounds(panel, area.height - below, Math.max(0, area.width - panel), below);
     Point size = choose.computeSize(SWT.DEFAULT, SWT.DEFAULT);
     choose.setBounds((area.width - size.x) / 2, area.height / 2 + EMPTY_HEIGHT / 2, size.x, size.y);
   }
@@ -221,9 +254,19 @@ public final class PlotSurface implements ViewSurface {
       return "";
     }
     long broken = scene.traces().filter(t -> t.problem().isPresent()).count();
-    String time = state.isLive() ? "live" : "paused";
     String span = Figures.age(state.span(scene, 0).seconds());
+    if (scene.replay().isPresent()) {
+      return (broken > 0 ? broken + " without values \u00b7 " : "") + span + " \u00b7 " + time(scene.replay().get());
+    }
+    String time = state.isLive() ? "live" : "paused";
     return (broken > 0 ? broken + " without values \u00b7 " : "") + span + " \u00b7 " + time;
+  }
+
+  private String time(Replay replay) {
+    if (replay.progress().isPresent()) {
+      return "reading, " + Math.round(replay.progress().getAsDouble() * 100) + " %";
+    }
+    return state.isFollowing() ? "follows the recording" : state.isLive() ? "whole recording" : "part of the recording";
   }
 
   private void paint(GC gc, Rectangle area) {
@@ -244,7 +287,7 @@ public final class PlotSurface implements ViewSurface {
     if (notice.isPresent()) {
       String words = TextFit.shorten(gc, notice.get().text(), area.width - 6 * Theme.EDGE);
       states.banner(gc, low, notice.get().good() ? Health.OK : Health.BAD, words);
-    } else if (!state.isLive() && !scene.spec().isEmpty()) {
+    } else if (!state.isLive() && scene.replay().isEmpty() && !scene.spec().isEmpty()) {
       states.banner(gc, low, Health.NONE, "paused \u00b7 double-click for live");
     }
   }
@@ -279,8 +322,23 @@ public final class PlotSurface implements ViewSurface {
     }
 
     @Override
+    public void all() {
+      PlotSurface.this.live();
+    }
+
+    @Override
     public void cursors() {
       PlotSurface.this.cursors();
+    }
+
+    @Override
+    public void statistics() {
+      PlotSurface.this.statistics();
+    }
+
+    @Override
+    public void copyStatistics() {
+      StatisticsPane.copy(scene, state);
     }
 
     @Override

@@ -16,6 +16,7 @@ import org.robotui.ui.Theme;
 import org.robotui.uic.plot.internal.model.CursorPair;
 import org.robotui.uic.plot.internal.model.Loss;
 import org.robotui.uic.plot.internal.model.Readout;
+import org.robotui.uic.plot.internal.model.Replay;
 import org.robotui.uic.plot.internal.model.TimeTicks;
 import org.robotui.uic.plot.internal.model.TraceView;
 
@@ -24,6 +25,7 @@ final class PointerPainter {
   private static final int ROW = 17;
   private static final int DOT = 6;
   private static final int HANDLE = 16;
+  private static final int FLAG = 5;
 
   private final Theme theme;
   private final StateView states;
@@ -142,6 +144,24 @@ final class PointerPainter {
       }
     }
     return Math.clamp(x, plot.x, plot.x + plot.width);
+  }
+
+  /** Where the timeline of recordings is, and how much of them has been read. */
+  void position(GC gc, AxisFrame frame, Replay replay) {
+    Rectangle plot = frame.plot();
+    int x = Math.round(frame.x(replay.position()));
+    gc.setAntialias(SWT.OFF);
+    if (x >= plot.x && x <= plot.x + plot.width) {
+      gc.setBackground(theme.color(Role.TEXT));
+      gc.fillRectangle(x - 1, plot.y, 2, plot.height);
+      gc.setAntialias(SWT.ON);
+      gc.fillPolygon(new int[]{x - FLAG, plot.y - 1, x + FLAG, plot.y - 1, x, plot.y + FLAG});
+      gc.setAntialias(SWT.OFF);
+    }
+    replay.progress().ifPresent(progress -> {
+      gc.setBackground(theme.color(Role.ACCENT));
+      gc.fillRectangle(plot.x, plot.y + plot.height - 1, (int) Math.round(progress * plot.width), 2);
+    });
   }
 
   void box(GC gc, Rectangle box) {

@@ -34,7 +34,7 @@ class PlotEngineTest {
   @BeforeEach
   void begin() {
     Robots.candidates(input);
-    engine = new PlotEngine(input, clock, settings);
+    engine = new PlotEngine(input, clock, settings, new WholeSeries(input, Runnable::run));
   }
 
   @Test
@@ -92,7 +92,7 @@ class PlotEngineTest {
     drive(1, 10);
     drive(2, 20);
     tick();
-    engine = new PlotEngine(input, clock, settings, engine);
+    engine = new PlotEngine(input, clock, settings, new WholeSeries(input, Runnable::run), engine);
     drive(3, 30);
     tick();
     assertSamples(series(0), 1, 10, 2, 20, 3, 30);
@@ -106,7 +106,7 @@ class PlotEngineTest {
     drive(1, 10);
     tick();
     plot("base./odom:linear.y");
-    engine = new PlotEngine(input, clock, settings, engine);
+    engine = new PlotEngine(input, clock, settings, new WholeSeries(input, Runnable::run), engine);
     tick();
     plot(X);
     tick();

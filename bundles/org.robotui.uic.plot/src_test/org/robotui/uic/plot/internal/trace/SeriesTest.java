@@ -32,7 +32,32 @@ class SeriesTest {
       assertEquals(slow.min(), fast.min(), span.toString());
       assertEquals(slow.max(), fast.max(), span.toString());
       assertEquals(slow.mean(), fast.mean(), 1e-9, span.toString());
+      assertEquals(slow.deviation(), fast.deviation(), 1e-9, span.toString());
     }
+  }
+
+  @Test
+  void statisticsAreOfFiniteSamplesInASpan() {
+    Series series = new Series(10);
+    double[] values = {9, 2, Double.NaN, 4, 4, Double.POSITIVE_INFINITY, 4, 5, 5, 7, 9, 1};
+    for (int i = 0; i < values.length; i++) {
+      series.add(i * TimeSpan.SECOND / 2, values[i]);
+    }
+    Statistics all = series.statistics(new TimeSpan(TimeSpan.SECOND / 2, 5 * TimeSpan.SECOND));
+    assertEquals(new Statistics(8, 2, 9, 5, 2, 7 / 4.5), all);
+    assertEquals(new Statistics(1, 9, 9, 9, 0, Double.NaN), series.statistics(new TimeSpan(0, 1)));
+    assertEquals(new Statistics(0, Double.NaN, Double.NaN, Double.NaN, Double.NaN, Double.NaN),
+        series.statistics(new TimeSpan(-9, -1)));
+    assertEquals(0, new Series(10).statistics(new TimeSpan(0, 1)).count());
+  }
+
+  @Test
+  void deviationsOfLargeNumbersAreExact() {
+    Series series = new Series(100_000);
+    for (int i = 0; i < 100_000; i++) {
+      series.add(i, 1.7e9 + (i % 2 == 0 ? 0.001 : -0.001));
+    }
+    assertEquals(0.001, series.statistics(new TimeSpan(0, 100_000)).deviation(), 1e-6);
   }
 
   @ParameterizedTest
