@@ -20,7 +20,7 @@ TEXT
 cmd_log() {
   local bundle jar jars=()
   need_product
-  for bundle in org.robotui.recording com.github.luben.zstd-jni lz4-java org.apache.commons.commons-compress org.apache.commons.commons-io slf4j.api; do
+  for bundle in org.robotui.recording com.github.luben.zstd-jni lz4-java org.apache.commons.commons-compress org.apache.commons.commons-io slf4j.api org.yaml.snakeyaml; do
     jar=$(jar_of "$bundle")
     [[ -n $jar ]] || fail "recordings need the feature 'RobotUI recordings', which is not installed"
     jars+=("$jar")

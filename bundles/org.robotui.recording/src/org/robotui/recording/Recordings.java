@@ -15,8 +15,9 @@ import org.robotui.recording.internal.sqlite.SqlitePages;
 /** Opens recordings of any format that is known here. Any thread may use it. */
 public final class Recordings {
 
-  private static final String KNOWN =
-      "MCAP, bags of ROS 1 (version 2.0), and folders and databases (.db3) of rosbag2 are";
+  /** What can be opened, in words for users. */
+  public static final String KNOWN =
+      "MCAP, bags of ROS 1 (version 2.0), and folders and databases (.db3) of rosbag2";
 
   private Recordings() {}
 
@@ -71,6 +72,6 @@ public final class Recordings {
     if (SqlitePages.isOne(bytes)) {
       return DatabaseOpener.open(bytes, progress);
     }
-    throw new RecordingException(bytes.path(), 0, "this is no recording that is known here: " + KNOWN);
+    throw new RecordingException(bytes.path(), 0, "this is no recording that is known here: " + KNOWN + " are");
   }
 }

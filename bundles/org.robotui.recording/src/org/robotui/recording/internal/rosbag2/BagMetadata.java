@@ -44,7 +44,7 @@ record BagMetadata(List<String> files, boolean perMessage, Map<String, String> n
       }
       throw new RecordingException(file, 0, "it has no '" + ROOT + "', so that it is not of a recording of rosbag2");
     } catch (YAMLException e) {
-      throw new RecordingException(file, 0, "it is no YAML that can be read: " + e.getMessage());
+      throw new RecordingException(file, 0, "it is no YAML that can be read: " + e.getMessage().replaceAll("\\s+", " "));
     } catch (RecordingException e) {
       throw e;
     } catch (IOException e) {

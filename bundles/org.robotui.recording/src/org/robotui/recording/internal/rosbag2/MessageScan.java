@@ -42,6 +42,9 @@ final class MessageScan implements SqliteTable.Rows {
   @Override
   public void row(long page, int number, SqliteRow row) throws MalformedRecord {
     MessageColumns.Found found = columns.read(row, fileSize);
+    if (row.length() > fileSize - behind - bytes) {
+      throw new MalformedRecord("all rows together are longer than the file");
+    }
     if (pageCount == 0) {
       first = number;
     }

@@ -38,7 +38,7 @@ public record RecordingSettings(Path file, TopicSettings topics, PlaySettings pl
   private static Schema schema() {
     List<Setting> all = new ArrayList<>();
     all.add(Setting.required(FILE, new ValueType.WithPlace(new ValueType.Text()),
-        "the recording, MCAP or a bag of ROS 1, relative to this file"));
+        "the recording, MCAP, a bag of ROS 1 or a folder or file of rosbag2, relative to this file"));
     all.addAll(TopicSettings.listening(RecordingSettings::checkName));
     all.add(Setting.of(OFFSET, new ValueType.Num(-FARTHEST_SECONDS, FARTHEST_SECONDS, "s"), 0.0,
         "what is added to its times, where it is shown beside recordings of other clocks"));
@@ -67,19 +67,20 @@ public record RecordingSettings(Path file, TopicSettings topics, PlaySettings pl
     } catch (InvalidPathException e) {
       return Optional.of("is no name of a file: " + e.getReason());
     }
-    if (Files.isDirectory(file)) {
-      return Optional.of("is a folder; name a file in it, MCAP or a bag of ROS 1");
-    }
     if (!Files.exists(file)) {
       return Optional.of("is not there; write where the recording is, relative to this file");
     }
-    if (!Files.isRegularFile(file) || !Files.isReadable(file)) {
-      return Optional.of(
-          Files.isRegularFile(file) ? "may not be read: permission denied" : "is a device or a pipe; name a file");
+    boolean folder = Files.isDirectory(file);
+    if (!folder && !Files.isRegularFile(file)) {
+      return Optional.of("is a device or a pipe; name a file");
+    }
+    if (!Files.isReadable(file)) {
+      return Optional.of("may not be read: permission denied");
     }
     try {
       return Recordings.isOne(file) ? Optional.empty()
-          : Optional.of("is no recording that is known here; MCAP and bags of ROS 1 (version 2.0) are");
+          : Optional.of("is no " + (folder ? "folder of rosbag2; name one, or a file" : "recording that is known here")
+              + "; " + Recordings.KNOWN + " are");
     } catch (RecordingException e) {
       return Optional.of("cannot be read: " + e.getMessage());
     }
