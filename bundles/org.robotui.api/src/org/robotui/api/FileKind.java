@@ -51,8 +51,8 @@ public record FileKind(String label, List<String> extensions, List<String> folde
   }
 
   /**
-   * What is opened where a user names a path: the file, a folder, or the folder in which a file lies by whose whole name
-   * folders are known. Folders are looked into.
+   * What is opened where a user names a path: the file, a folder, or the folder in which a file lies by whose whole
+   * name folders are known. Folders are looked into.
    *
    * @param path a file or a folder
    * @return what is opened, or none where it is none of these

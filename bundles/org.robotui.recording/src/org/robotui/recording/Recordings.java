@@ -6,6 +6,7 @@ import java.util.Optional;
 import org.robotui.recording.internal.bag.BagOpener;
 import org.robotui.recording.internal.chunk.ChunkedRecording;
 import org.robotui.recording.internal.chunk.OpenedRecording;
+import org.robotui.recording.internal.chunk.RunSource;
 import org.robotui.recording.internal.io.FileBytes;
 import org.robotui.recording.internal.mcap.McapOpener;
 import org.robotui.recording.internal.rosbag2.DatabaseOpener;
@@ -60,6 +61,16 @@ public final class Recordings {
     } finally {
       bytes.close();
     }
+  }
+
+  /**
+   * A recording of a format that is not known here.
+   *
+   * @param runs what is in it; closed with the recording
+   * @return the recording; who makes it closes it
+   */
+  public static RecordingReader of(MessageRuns runs) {
+    return new ChunkedRecording(RunSource.open(runs));
   }
 
   private static OpenedRecording open(FileBytes bytes, ScanProgress progress) throws RecordingException {

@@ -90,7 +90,8 @@ class Rosbag2Test {
     Files.write(folder.resolve("run_0.db3.zstd"), packed(PACKED));
     part("run_1.mcap", FIRST + 10 * STEP, data -> data);
     metadata("", "run_0.db3.zstd", "run_1.mcap", "run_2.mcap");
-    try (RecordingReader recording = Recordings.open(name.isEmpty() ? folder : folder.resolve(name), ScanProgress.NONE)) {
+    try (RecordingReader recording =
+        Recordings.open(name.isEmpty() ? folder : folder.resolve(name), ScanProgress.NONE)) {
       assertEquals(Map.of("/joint_states", 60L, "/robot/words", 6L, "/picture", 6L, "/more", 20L), counts(recording));
       assertEquals(4, recording.channels().size());
       List<ReadMessages.Message> all = ReadMessages.of(recording);
@@ -191,9 +192,10 @@ class Rosbag2Test {
   }
 
   private void metadata(String mode, String... files) throws IOException {
-    Files.writeString(folder.resolve("metadata.yaml"), "rosbag2_bagfile_information:\n  version: 5\n  ros_distro: humble\n"
-        + "  compression_mode: '" + mode + "'\n  relative_file_paths:\n"
-        + Stream.of(files).map(file -> "    - bag/" + file + "\n").collect(Collectors.joining()));
+    Files.writeString(folder.resolve("metadata.yaml"),
+        "rosbag2_bagfile_information:\n  version: 5\n  ros_distro: humble\n"
+            + "  compression_mode: '" + mode + "'\n  relative_file_paths:\n"
+            + Stream.of(files).map(file -> "    - bag/" + file + "\n").collect(Collectors.joining()));
   }
 
   private static String text(ByteBuffer data) {

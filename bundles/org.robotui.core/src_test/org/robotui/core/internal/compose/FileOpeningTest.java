@@ -62,7 +62,8 @@ class FileOpeningTest {
 
     @Override
     public Optional<FileKind> files() {
-      return Optional.of(new FileKind("Tapes", List.of("tape", "tape.active"), List.of("reel.yaml", "*_0.reel"), "file"));
+      return Optional
+          .of(new FileKind("Tapes", List.of("tape", "tape.active"), List.of("reel.yaml", "*_0.reel"), "file"));
     }
 
     @Override
@@ -221,7 +222,8 @@ class FileOpeningTest {
   void whatCannotBeOpenedIsRefusedWithTheReason() throws Exception {
     assertEquals("there is no file " + folder.resolve("b.tape"), refused(folder.resolve("b.tape")));
     String none = refused(folder);
-    assertTrue(none.contains("opens the folder " + folder) && none.contains("folders with reel.yaml or *_0.reel"), none);
+    assertTrue(none.contains("opens the folder " + folder) && none.contains("folders with reel.yaml or *_0.reel"),
+        none);
     String reason = refused(file("${HOME}.tape", "scan"));
     assertTrue(reason.endsWith("rename it"), reason);
     assertTrue(

@@ -91,7 +91,8 @@ public final class JoinedRecordings implements ChunkSource {
   public ByteBuffer content(RecordedAttachment attachment) throws RecordingException {
     OpenedRecording part = files.get(attachment);
     if (part == null) {
-      throw new RecordingException(parts.getFirst().path(), attachment.offset(), "there is no file " + attachment.name());
+      throw new RecordingException(parts.getFirst().path(), attachment.offset(),
+          "there is no file " + attachment.name());
     }
     return part.source().content(attachment);
   }

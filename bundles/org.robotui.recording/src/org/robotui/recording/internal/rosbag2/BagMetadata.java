@@ -44,7 +44,8 @@ record BagMetadata(List<String> files, boolean perMessage, Map<String, String> n
       }
       throw new RecordingException(file, 0, "it has no '" + ROOT + "', so that it is not of a recording of rosbag2");
     } catch (YAMLException e) {
-      throw new RecordingException(file, 0, "it is no YAML that can be read: " + e.getMessage().replaceAll("\\s+", " "));
+      throw new RecordingException(file, 0,
+          "it is no YAML that can be read: " + e.getMessage().replaceAll("\\s+", " "));
     } catch (RecordingException e) {
       throw e;
     } catch (IOException e) {
@@ -55,7 +56,8 @@ record BagMetadata(List<String> files, boolean perMessage, Map<String, String> n
   private static BagMetadata of(Map<?, ?> known) {
     // the first versions wrote the folder before the name; parts never lie elsewhere
     List<String> files = known.get("relative_file_paths") instanceof List<?> list
-        ? list.stream().map(each -> String.valueOf(each).replaceFirst(".*/", "")).filter(name -> !name.isBlank()).toList()
+        ? list.stream().map(each -> String.valueOf(each).replaceFirst(".*/", "")).filter(name -> !name.isBlank())
+            .toList()
         : List.of();
     Map<String, String> notes = new LinkedHashMap<>();
     for (String name : List.of("version", "storage_identifier", "ros_distro", "compression_format",

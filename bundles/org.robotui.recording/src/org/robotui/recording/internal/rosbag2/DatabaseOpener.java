@@ -24,8 +24,8 @@ import org.robotui.recording.internal.sqlite.SqliteTables;
 import org.robotui.recording.internal.sqlite.SqliteValues;
 
 /**
- * Opens databases of rosbag2 by reading through their table of messages: the index that they have is of times alone, and
- * says nothing of channels.
+ * Opens databases of rosbag2 by reading through their table of messages: the index that they have is of times alone,
+ * and says nothing of channels.
  */
 public final class DatabaseOpener {
 

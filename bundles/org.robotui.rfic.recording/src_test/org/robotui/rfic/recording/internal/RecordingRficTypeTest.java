@@ -13,7 +13,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.robotui.api.config.Placed;
 import org.robotui.api.config.Setting;
 import org.robotui.api.config.SettingFault;
-import org.robotui.recording.Recordings;
+import org.robotui.rfic.recording.internal.file.RecordingFiles;
 import org.robotui.rfic.recording.internal.time.SharedTimeline;
 import org.robotui.testkit.FakeSettings;
 
@@ -36,11 +36,11 @@ class RecordingRficTypeTest {
     assertEquals(
         List.of(place + "run.mcap is not there; write where the recording is, relative to this file"),
         faults("run.mcap"));
-    assertEquals(List.of(place + ". is no folder of rosbag2; name one, or a file; " + Recordings.KNOWN + " are"),
+    assertEquals(List.of(place + ". is no folder of rosbag2; name one, or a file; " + RecordingFiles.KNOWN + " are"),
         faults("."));
     for (String other : List.of("notes.txt", "short.bag")) {
       assertEquals(List.of(
-          place + other + " is no recording that is known here; " + Recordings.KNOWN + " are"),
+          place + other + " is no recording that is known here; " + RecordingFiles.KNOWN + " are"),
           faults(other));
     }
     assertTrue(faults("a\0b").getFirst().contains("is no name of a file"));
@@ -55,7 +55,7 @@ class RecordingRficTypeTest {
 
   @Test
   void nothingThatCommandsCanBeSet() {
-    assertEquals("file, namespace, topics, tf, offset, play, loop",
+    assertEquals("file, types, namespace, topics, tf, offset, play, loop",
         type.schema().settings().stream().map(Setting::name).collect(Collectors.joining(", ")));
   }
 }

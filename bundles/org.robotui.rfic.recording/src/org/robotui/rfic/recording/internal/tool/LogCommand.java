@@ -1,4 +1,4 @@
-package org.robotui.recording.internal.tool;
+package org.robotui.rfic.recording.internal.tool;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -13,33 +13,37 @@ import org.robotui.recording.ChunkCompression;
 import org.robotui.recording.RecordedChannel;
 import org.robotui.recording.RecordingInterval;
 import org.robotui.recording.RecordingPart;
+import org.robotui.rfic.recording.internal.export.ExportFormat;
 
 /**
  * What was asked for on the command line.
  *
  * @param verb what is done
  * @param from the files that are read
- * @param to the file that is written, where one is
+ * @param to the file or folder that is written, where one is
  * @param json whether it is said to a program
  * @param compression of what is written
  * @param begin of the part that is written
  * @param end of it
  * @param topics patterns of the topics in it; none for all
+ * @param types where types of LCM are declared
+ * @param format of what is exported
  */
 record LogCommand(Verb verb, List<Path> from, Optional<Path> to, boolean json, ChunkCompression compression,
-    Optional<LogTime> begin, Optional<LogTime> end, List<Pattern> topics) {
+    Optional<LogTime> begin, Optional<LogTime> end, List<Pattern> topics, List<Path> types, ExportFormat format) {
   private static final String KNOWN =
-      "log knows info FILE, check FILE, repair FILE NEW, convert FILE NEW, cut FILE NEW and merge FILE... NEW";
+      "log knows info FILE, check FILE, repair FILE NEW, convert FILE NEW, cut FILE NEW, merge FILE... NEW"
+          + " and export FILE --out FOLDER";
 
   enum Verb {
-    INFO, CHECK, REPAIR, CONVERT, CUT, MERGE;
+    INFO, CHECK, REPAIR, CONVERT, CUT, MERGE, EXPORT;
 
     boolean writes() {
-      return this != INFO && this != CHECK;
+      return this != INFO && this != CHECK && this != EXPORT;
     }
 
     boolean takesParts() {
-      return this == CUT || this == MERGE;
+      return this == CUT || this == MERGE || this == EXPORT;
     }
 
     String word() {
@@ -54,15 +58,23 @@ record LogCommand(Verb verb, List<Path> from, Optional<Path> to, boolean json, C
     Verb verb = Arrays.stream(Verb.values()).filter(each -> each.word().equals(arguments.getFirst())).findFirst()
         .orElseThrow(() -> new UsageException(KNOWN));
     List<String> words = new ArrayList<>(arguments.subList(1, arguments.size()));
-    boolean json = !verb.writes() && words.remove("--json");
+    boolean json = (verb == Verb.INFO || verb == Verb.CHECK) && words.remove("--json");
     Optional<String> compression = verb.writes() ? option(words, "--compression") : Optional.empty();
     Optional<String> begin = verb.takesParts() ? option(words, "--from") : Optional.empty();
     Optional<String> end = verb.takesParts() ? option(words, "--to") : Optional.empty();
     Optional<String> topics = verb.takesParts() ? option(words, "--topics") : Optional.empty();
+    Optional<String> types = option(words, "--types");
+    Optional<String> out = verb == Verb.EXPORT ? option(words, "--out") : Optional.empty();
+    Optional<String> format = verb == Verb.EXPORT ? option(words, "--format") : Optional.empty();
     List<Path> files = files(verb, words);
+    if (verb == Verb.EXPORT && out.isEmpty()) {
+      throw new UsageException("log export needs --out and the folder where files are written");
+    }
     int read = verb.writes() ? files.size() - 1 : files.size();
-    return new LogCommand(verb, files.subList(0, read), files.stream().skip(read).findFirst(), json,
-        compression(compression), time("--from", begin), time("--to", end), patterns(topics));
+    return new LogCommand(verb, files.subList(0, read),
+        out.map(Path::of).or(() -> files.stream().skip(read).findFirst()), json,
+        compression(compression), time("--from", begin), time("--to", end), patterns(topics),
+        paths(types), format(format));
   }
 
   private static List<Path> files(Verb verb, List<String> words) throws UsageException {
@@ -102,6 +114,17 @@ record LogCommand(Verb verb, List<Path> from, Optional<Path> to, boolean json, C
 
   private static Optional<LogTime> time(String name, Optional<String> word) throws UsageException {
     return word.isEmpty() ? Optional.empty() : Optional.of(LogTime.of(name, word.get()));
+  }
+
+  private static List<Path> paths(Optional<String> words) {
+    return words.stream().flatMap(each -> Arrays.stream(each.split(","))).filter(each -> !each.isBlank())
+        .map(Path::of).toList();
+  }
+
+  private static ExportFormat format(Optional<String> word) throws UsageException {
+    return word.isEmpty() ? ExportFormat.CSV
+        : ExportFormat.of(word.get())
+            .orElseThrow(() -> new UsageException("--format takes csv or jsonl, not '" + word.get() + "'"));
   }
 
   private static List<Pattern> patterns(Optional<String> words) {

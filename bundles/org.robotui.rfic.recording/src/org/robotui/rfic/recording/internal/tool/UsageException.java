@@ -1,4 +1,4 @@
-package org.robotui.recording.internal.tool;
+package org.robotui.rfic.recording.internal.tool;
 
 /** A command that cannot be understood; the message says what is wrong with it. */
 final class UsageException extends Exception {

@@ -1,6 +1,8 @@
-package org.robotui.rfic.lcm.internal.convert;
+package org.robotui.message.lcm;
 
+import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.util.HexFormat;
 import java.util.List;
 import java.util.Optional;
 import org.robotui.data.array.Bytes;
@@ -16,6 +18,28 @@ import org.robotui.data.record.FieldValue;
  * @param remedy what to do to read it
  */
 public record UnknownMessage(String fingerprint, Bytes bytes, String remedy) implements DynamicRecord {
+  /**
+   * A message of a type that is not known.
+   *
+   * @param message all of it
+   * @param remedy what to do to read it
+   * @return its bytes as a record
+   */
+  public static UnknownMessage of(ByteBuffer message, String remedy) {
+    return new UnknownMessage(fingerprint(message), Bytes.wrap(message), remedy);
+  }
+
+  /**
+   * The number that a message begins with, in words.
+   *
+   * @param message all of it
+   * @return empty where it is too short for one
+   */
+  public static String fingerprint(ByteBuffer message) {
+    return message.remaining() < Long.BYTES ? ""
+        : "0x" + HexFormat.of().toHexDigits(message.slice().order(ByteOrder.BIG_ENDIAN).getLong(0));
+  }
+
   @Override
   public String schema() {
     return fingerprint.isEmpty() ? "bytes" : "unknown " + fingerprint;

@@ -1,4 +1,4 @@
-package org.robotui.recording.internal.tool;
+package org.robotui.rfic.recording.internal.tool;
 
 import java.time.Instant;
 import java.util.Locale;

@@ -1,14 +1,10 @@
-package org.robotui.rfic.lcm.internal.convert;
+package org.robotui.lcm.type;
 
 import java.util.LinkedHashSet;
 import java.util.SequencedSet;
 import java.util.stream.Collectors;
-import org.robotui.lcm.type.LcmType;
-import org.robotui.lcm.type.MemberDefinition;
-import org.robotui.lcm.type.TypeDefinition;
-import org.robotui.lcm.type.TypeLibrary;
 
-/** Declarations as text, for users. */
+/** Declarations as text, which {@link TypeParser} reads again. */
 public final class TypeText {
   private TypeText() {}
 

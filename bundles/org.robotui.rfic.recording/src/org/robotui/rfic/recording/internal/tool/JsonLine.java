@@ -1,4 +1,4 @@
-package org.robotui.recording.internal.tool;
+package org.robotui.rfic.recording.internal.tool;
 
 /** JSON in one line, put together from left to right. */
 final class JsonLine {

@@ -1,4 +1,4 @@
-package org.robotui.rfic.lcm.internal.convert;
+package org.robotui.message.lcm;
 
 import java.util.ArrayDeque;
 import java.util.Deque;

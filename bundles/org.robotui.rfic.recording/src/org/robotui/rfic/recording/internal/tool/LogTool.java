@@ -1,5 +1,6 @@
-package org.robotui.recording.internal.tool;
+package org.robotui.rfic.recording.internal.tool;
 
+import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -9,6 +10,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
+import org.robotui.message.payload.PayloadFormats;
+import org.robotui.message.payload.RosDefinitions;
 import org.robotui.recording.RecordedAttachment;
 import org.robotui.recording.RecordingCopy;
 import org.robotui.recording.RecordingCursor;
@@ -16,12 +19,16 @@ import org.robotui.recording.RecordingException;
 import org.robotui.recording.RecordingInterval;
 import org.robotui.recording.RecordingPart;
 import org.robotui.recording.RecordingReader;
-import org.robotui.recording.Recordings;
 import org.robotui.recording.ScanProgress;
 import org.robotui.recording.WriterOptions;
+import org.robotui.rfic.recording.internal.export.ExportedFile;
+import org.robotui.rfic.recording.internal.export.TopicExport;
+import org.robotui.rfic.recording.internal.file.ChannelFormats;
+import org.robotui.rfic.recording.internal.file.RecordingFiles;
 
 /**
- * The commands of {@code robotui log}: what is in a recording, whether it is whole, and copies of all or a part of it.
+ * The commands of {@code robotui log}: what is in a recording, whether it is whole, copies of all or a part of it, and
+ * files of its messages for programs of others.
  */
 public final class LogTool {
   private static final int WHOLE = 0;
@@ -37,9 +44,10 @@ public final class LogTool {
   }
 
   /**
-   * @param arguments {@code info|check [--json] FILE}, {@code repair|convert|cut FILE NEW} or
-   * {@code merge FILE... NEW}; those that write with {@code --compression WORD}, the last two with {@code --from},
-   * {@code --to}, {@code --topics}
+   * @param arguments {@code info|check [--json] FILE}, {@code repair|convert|cut FILE NEW}, {@code merge FILE... NEW}
+   * or {@code export FILE --out FOLDER}; those that write recordings with {@code --compression WORD}, the last three
+   * with {@code --from}, {@code --to}, {@code --topics}, the last with {@code --format csv|jsonl}, all with
+   * {@code --types}
    */
   public static void main(String[] arguments) {
     PrintStream out = new PrintStream(System.out, true, StandardCharsets.UTF_8);
@@ -50,22 +58,23 @@ public final class LogTool {
   int run(List<String> arguments) {
     try {
       return run(LogCommand.of(arguments));
-    } catch (RecordingException | UsageException e) {
+    } catch (IOException | UsageException e) {
       err.println("robotui: " + e.getMessage());
       return REFUSED;
     }
   }
 
-  private int run(LogCommand command) throws RecordingException, UsageException {
+  private int run(LogCommand command) throws IOException, UsageException {
     List<RecordingReader> recordings = new ArrayList<>();
     try {
       for (Path file : command.from()) {
-        recordings.add(Recordings.open(file, ScanProgress.NONE));
+        recordings.add(RecordingFiles.open(file, command.types(), ScanProgress.NONE));
       }
       return switch (command.verb()) {
         case INFO -> info(recordings.getFirst(), command.json());
         case CHECK -> check(recordings.getFirst(), command.json());
         case REPAIR, CONVERT, CUT, MERGE -> copy(recordings, command);
+        case EXPORT -> export(recordings.getFirst(), command);
       };
     } finally {
       recordings.forEach(RecordingReader::close);
@@ -113,17 +122,34 @@ public final class LogTool {
       err.println("robotui: " + to + " is there already: name a file that is new");
       return REFUSED;
     }
-    RecordingPart part = command.part(span(recordings));
-    if (!command.topics().isEmpty()
-        && recordings.stream().flatMap(each -> each.channels().stream()).noneMatch(part.channels())) {
-      err.println("robotui: no topic fits --topics; log info lists them");
-      return REFUSED;
-    }
+    RecordingPart part = part(recordings, command);
     RecordingCopy.Outcome outcome = RecordingCopy.copy(recordings, part, to,
         WriterOptions.defaults().withCompression(command.compression()).withProfile(profile(recordings)));
     out.println(outcome.messages() + " messages were written to " + to);
     outcome.damages().forEach(out::println);
     return outcome.damages().isEmpty() || command.verb() == LogCommand.Verb.REPAIR ? WHOLE : DAMAGED;
+  }
+
+  private static RecordingPart part(List<RecordingReader> recordings, LogCommand command) throws UsageException {
+    RecordingPart part = command.part(span(recordings));
+    if (!command.topics().isEmpty()
+        && recordings.stream().flatMap(each -> each.channels().stream()).noneMatch(part.channels())) {
+      throw new UsageException("no topic fits --topics; log info lists them");
+    }
+    return part;
+  }
+
+  private int export(RecordingReader recording, LogCommand command) throws IOException, UsageException {
+    TopicExport export = new TopicExport(recording, part(List.of(recording), command), command.to().orElseThrow(),
+        command.format());
+    List<ExportedFile> files =
+        export.run(new ChannelFormats(new PayloadFormats(new RosDefinitions(System.getenv()))));
+    files.forEach(out::println);
+    recording.damages().forEach(out::println);
+    if (files.isEmpty()) {
+      err.println("robotui: there is no message to export");
+    }
+    return files.stream().allMatch(ExportedFile::isWhole) && recording.damages().isEmpty() ? WHOLE : DAMAGED;
   }
 
   private static RecordingInterval span(List<RecordingReader> recordings) {
