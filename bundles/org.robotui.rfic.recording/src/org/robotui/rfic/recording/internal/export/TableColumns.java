@@ -6,7 +6,7 @@ import org.robotui.data.record.FieldValue;
 /** The columns of a table of messages. Filled by one thread, then read. */
 final class TableColumns {
   /** Elements of an array that have a column of their own. */
-  static final int MOST_ELEMENTS = 64;
+  static final int MOST_ELEMENTS = 512;
   private static final int MOST_COLUMNS = 10_000;
 
   private final ColumnBudget budget = new ColumnBudget(MOST_COLUMNS);
