@@ -68,10 +68,17 @@ parse_run_options() {
   done
 }
 
-# A file with an extension that is not that of a configuration, nor the name of one in configs/.
+# A file with an extension that is not that of a configuration, nor the name of one in configs/; a folder of rosbag2, or the file that describes it.
 is_recording() {
+  [[ -d $1 || ${1##*/} == metadata.yaml ]] && { is_rosbag2 "$1"; return; }
   local name=${1##*/}
   [[ $name == ?*.?* && $name != *.yaml && $name != *.yml && ! -f $ROOT/configs/$1.yaml ]]
+}
+
+is_rosbag2() {
+  local folder=$1
+  [[ -d $1 ]] || folder=$(dirname "$1")
+  compgen -G "$folder/metadata.yaml" >/dev/null || compgen -G "$folder/*_0.db3" >/dev/null || compgen -G "$folder/*_0.mcap" >/dev/null
 }
 
 cmd_check() {

@@ -125,7 +125,7 @@ public final class EventLogReader implements AutoCloseable {
     }
   }
 
-  private LogEvent event(Span span) throws IOException {
+  LogEvent event(Span span) throws IOException {
     long body = span.start() + LogFormat.HEADER;
     String channel = new String(file.get(body, span.channelLength()), StandardCharsets.UTF_8);
     byte[] data = file.get(body + span.channelLength(), span.dataLength());
@@ -134,6 +134,12 @@ public final class EventLogReader implements AutoCloseable {
 
   long utime(Span span) throws IOException {
     return file.getLong(span.start() + 12);
+  }
+
+  /** What its message begins with; empty where it is too short. */
+  Optional<Long> fingerprint(Span span) throws IOException {
+    return span.dataLength() < Long.BYTES ? Optional.empty()
+        : Optional.of(file.getLong(span.start() + LogFormat.HEADER + span.channelLength()));
   }
 
   String channel(Span span) throws IOException {

@@ -93,8 +93,8 @@ public final class FileOpening implements FileOpener, AutoCloseable {
     if (!Files.exists(file)) {
       return Optional.of("there is no file " + file);
     }
-    if (!Files.isRegularFile(file)) {
-      return Optional.of(file + (Files.isDirectory(file) ? " is a folder; name a file in it" : " is no plain file"));
+    if (!Files.isRegularFile(file) && !Files.isDirectory(file)) {
+      return Optional.of(file + " is no plain file");
     }
     if (!Files.isReadable(file)) {
       return Optional.of(file + " may not be read: permission denied");
@@ -105,18 +105,14 @@ public final class FileOpening implements FileOpener, AutoCloseable {
   }
 
   private FileOutcome opened(Path file) {
-    Path configuration = place(file);
-    if (!Files.exists(configuration)) {
-      Optional<RficType> type = awaitType(file);
-      if (type.isEmpty()) {
-        return new NotOpened(file, unknown(file));
-      }
-      Optional<String> failure = write(file, configuration, type.get());
-      if (failure.isPresent()) {
-        return new NotOpened(file, failure.get());
-      }
+    Optional<FileMatch> match = awaitMatch(file);
+    if (match.isEmpty()) {
+      return new NotOpened(file, unknown(file));
     }
-    return loaded(file, configuration);
+    Path configuration = place(match.get().place());
+    Optional<String> failure =
+        Files.exists(configuration) ? Optional.empty() : write(configuration, match.get());
+    return failure.<FileOutcome>map(reason -> new NotOpened(file, reason)).orElseGet(() -> loaded(file, configuration));
   }
 
   /** Without views for a window another configuration is written than with them, which is not to be taken for it. */
@@ -126,39 +122,45 @@ public final class FileOpening implements FileOpener, AutoCloseable {
     return window ? usual : usual.resolveSibling("text-" + usual.getFileName());
   }
 
-  private Optional<RficType> awaitType(Path file) {
+  /** Who opens a file, and what is opened then. */
+  private record FileMatch(RficType type, Path place) {}
+
+  private Optional<FileMatch> awaitMatch(Path file) {
     try {
-      services.registry().await(() -> type(file).isPresent() && !services.registry().ruicIds().isEmpty(), TYPES);
+      services.registry().await(() -> match(file).isPresent() && !services.registry().ruicIds().isEmpty(), TYPES);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }
-    return type(file);
+    return match(file);
   }
 
-  private Optional<RficType> type(Path file) {
-    return types().filter(type -> extension(type, file).isPresent()).findFirst();
-  }
-
-  private static Optional<String> extension(RficType type, Path file) {
-    return type.files().flatMap(kind -> kind.extension(file.getFileName().toString()));
+  private Optional<FileMatch> match(Path file) {
+    return types().flatMap(type -> type.files().flatMap(kind -> kind.place(file))
+        .map(place -> new FileMatch(type, place)).stream()).findFirst();
   }
 
   private String unknown(Path file) {
     String known = kinds().stream().flatMap(kind -> kind.extensions().stream()).map(e -> "." + e).distinct().sorted()
         .collect(Collectors.joining(", "));
-    return "no robot interface that is installed opens " + file + "; "
+    String folders = kinds().stream().flatMap(kind -> kind.folders().stream()).distinct()
+        .collect(Collectors.joining(" or "));
+    return "no robot interface that is installed opens " + (Files.isDirectory(file) ? "the folder " : "") + file + "; "
         + (known.isEmpty() ? "none of them opens files" : "files that are opened end with " + known)
+        + (folders.isEmpty() ? "" : ", folders with " + folders + " in them")
         + ", and configurations with .yaml";
   }
 
-  private Optional<String> write(Path file, Path configuration, RficType type) {
+  private Optional<String> write(Path configuration, FileMatch match) {
     try {
       Files.createDirectories(configuration.getParent());
     } catch (IOException e) {
       return Optional.of(configuration + " cannot be written: " + WriteFailure.reason(e));
     }
-    String ending = extension(type, file).orElseThrow();
-    FileTrial trial = new FileTrial(services, configs, type, file.toAbsolutePath().normalize(), ending);
+    Path file = match.place().toAbsolutePath().normalize();
+    String ending = Files.isDirectory(file) ? ""
+        : match.type().files().flatMap(kind -> kind.extension(file.getFileName().toString())).map(e -> "." + e)
+            .orElse("");
+    FileTrial trial = new FileTrial(services, configs, match.type(), file, ending);
     try {
       return trial.write(configuration);
     } catch (InterruptedException e) {

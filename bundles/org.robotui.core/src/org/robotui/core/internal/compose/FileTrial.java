@@ -33,9 +33,9 @@ import org.slf4j.LoggerFactory;
  * @param configs reads configurations
  * @param type opens it
  * @param file its absolute path
- * @param extension by which the type opens it
+ * @param ending of its name, by which the type opens it; none for a folder
  */
-record FileTrial(Services services, ConfigSource configs, RficType type, Path file, String extension) {
+record FileTrial(Services services, ConfigSource configs, RficType type, Path file, String ending) {
   private static final Logger LOG = LoggerFactory.getLogger(FileTrial.class);
   /** A large file without an index is read through before anything is known of it. */
   private static final Duration PATIENCE = Duration.ofMinutes(10);
@@ -125,7 +125,7 @@ record FileTrial(Services services, ConfigSource configs, RficType type, Path fi
   /** The name of the file, as far as a name may have its characters, and none that runs. */
   private String name() {
     String plain = file.getFileName().toString();
-    String words = plain.substring(0, plain.length() - extension.length() - 1).replaceAll("[\\p{Cntrl}/${}]", "_")
+    String words = plain.substring(0, plain.length() - ending.length()).replaceAll("[\\p{Cntrl}/${}]", "_")
         .strip();
     String cut = words.isEmpty() ? type.label() : words.substring(0, Math.min(LONGEST_NAME, words.length())).strip();
     List<String> taken = services.ruics().get().stream().map(RuicView::name).toList();

@@ -62,7 +62,8 @@ class FileOpeningTest {
 
     @Override
     public Optional<FileKind> files() {
-      return Optional.of(new FileKind("Tapes", List.of("tape", "tape.active"), "file"));
+      return Optional
+          .of(new FileKind("Tapes", List.of("tape", "tape.active"), List.of("reel.yaml", "*_0.reel"), "file"));
     }
 
     @Override
@@ -85,7 +86,7 @@ class FileOpeningTest {
 
   private static void play(RficContext context, Path file) {
     try {
-      String text = Files.readString(file);
+      String text = Files.readString(Files.isDirectory(file) ? file.resolve("reel.yaml") : file);
       if (text.contains("damage")) {
         context.link().report(new LinkState.Failed("no tape begins like this", Duration.ofSeconds(60)));
         return;
@@ -197,6 +198,18 @@ class FileOpeningTest {
   }
 
   @Test
+  void aFolderIsOpenedByItselfAndByTheFileThatDescribesIt() throws Exception {
+    Path run = Files.createDirectories(folder.resolve("Run 2026.11"));
+    Opened first = opened(file("Run 2026.11/reel.yaml", "scan"));
+    assertEquals(List.of("Run 2026.11"), first.ruics());
+    assertEquals(first.configuration(), opened(run).configuration());
+    assertEquals(1, bench.core.ruics().size());
+    Files.move(run.resolve("reel.yaml"), run.resolve("a_0.reel"));
+    assertEquals(first.configuration(), opened(run).configuration());
+    assertTrue(refused(file("Run 2026.11/other.yaml", "scan")).startsWith("no robot interface"));
+  }
+
+  @Test
   void aDamagedFileSaysWhatIsWrongAndLeavesNothing() throws Exception {
     Path file = file("a.tape", "damage");
     assertEquals(file + " cannot be opened: no tape begins like this", refused(file));
@@ -208,7 +221,9 @@ class FileOpeningTest {
   @Test
   void whatCannotBeOpenedIsRefusedWithTheReason() throws Exception {
     assertEquals("there is no file " + folder.resolve("b.tape"), refused(folder.resolve("b.tape")));
-    assertTrue(refused(folder).endsWith("is a folder; name a file in it"));
+    String none = refused(folder);
+    assertTrue(none.contains("opens the folder " + folder) && none.contains("folders with reel.yaml or *_0.reel"),
+        none);
     String reason = refused(file("${HOME}.tape", "scan"));
     assertTrue(reason.endsWith("rename it"), reason);
     assertTrue(
@@ -218,7 +233,8 @@ class FileOpeningTest {
   @Test
   void whatNoTypeOpensNamesWhatCouldBe() throws Exception {
     String reason = refused(file("a.wav", "scan"));
-    assertTrue(reason.endsWith("files that are opened end with .tape, .tape.active, and configurations with .yaml"),
+    assertTrue(reason.endsWith("files that are opened end with .tape, .tape.active, folders with reel.yaml or *_0.reel"
+        + " in them, and configurations with .yaml"),
         reason);
   }
 

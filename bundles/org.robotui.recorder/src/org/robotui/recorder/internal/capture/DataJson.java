@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import org.robotui.data.record.DynamicRecord;
 import org.robotui.data.record.FieldValue;
+import org.robotui.data.record.RecordTree;
 import org.robotui.recording.RecordedSchema;
 import org.robotui.web.tree.JsonText;
 
@@ -21,7 +22,7 @@ public final class DataJson {
 
   /** A record as JSON. */
   public static ByteBuffer bytes(DynamicRecord record) {
-    return bytes(members(record, 0));
+    return bytes(RecordTree.of(record));
   }
 
   /** Members of an object as JSON. */
@@ -42,44 +43,6 @@ public final class DataJson {
     schema.put("type", "object");
     schema.put("properties", properties);
     return new RecordedSchema(name, "jsonschema", JsonText.write(schema).getBytes(StandardCharsets.UTF_8));
-  }
-
-  private static Map<String, Object> members(DynamicRecord record, int depth) {
-    Map<String, Object> members = new LinkedHashMap<>();
-    if (depth < DEEPEST) {
-      record.fields().forEach(
-          name -> record.field(name).ifPresent(value -> members.put(name, value(value, depth + 1))));
-    }
-    return members;
-  }
-
-  private static Object value(FieldValue value, int depth) {
-    return switch (value) {
-      case FieldValue.Num number -> exact(number);
-      case FieldValue.Flag flag -> flag.value();
-      case FieldValue.Text text -> text.value();
-      case FieldValue.Time time -> time.nanos();
-      case FieldValue.Numbers numbers -> numbers(numbers);
-      case FieldValue.Items items -> items.values().stream().map(each -> value(each, depth)).toList();
-      case FieldValue.Nested nested -> members(nested.value(), depth);
-    };
-  }
-
-  /** Whole numbers beyond what a double has exactly. */
-  private static Object exact(FieldValue.Num number) {
-    try {
-      return Long.parseLong(number.exact());
-    } catch (NumberFormatException e) {
-      return number.value();
-    }
-  }
-
-  private static double[] numbers(FieldValue.Numbers numbers) {
-    double[] values = new double[numbers.values().size()];
-    for (int i = 0; i < values.length; i++) {
-      values[i] = numbers.values().get(i);
-    }
-    return values;
   }
 
   private static Map<String, Object> properties(DynamicRecord record, int depth) {

@@ -4,10 +4,9 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.Optional;
 import org.robotui.recording.RecordingException;
-import org.robotui.recording.RecordingReader;
 import org.robotui.recording.ScanProgress;
-import org.robotui.recording.internal.chunk.ChunkedRecording;
 import org.robotui.recording.internal.chunk.DamageList;
+import org.robotui.recording.internal.chunk.OpenedRecording;
 import org.robotui.recording.internal.io.ByteWindow;
 import org.robotui.recording.internal.io.FileBytes;
 import org.robotui.recording.internal.io.MalformedRecord;
@@ -25,16 +24,16 @@ public final class BagOpener {
     return file.size() >= MAGIC.length && Arrays.equals(file.read(0, MAGIC.length), MAGIC);
   }
 
-  public static RecordingReader open(FileBytes file, ScanProgress progress) throws RecordingException {
+  public static OpenedRecording open(FileBytes file, ScanProgress progress) throws RecordingException {
     DamageList damages = new DamageList();
     Optional<BagIndex> index = index(file, damages);
     if (index.isPresent()) {
       BagSource source = new BagSource(file, index.get().connections(), damages);
-      return new ChunkedRecording(file, FORMAT, true, index.get().index(), source, damages);
+      return OpenedRecording.of(file, FORMAT, true, index.get().index(), source, damages);
     }
     BagScan scan = new BagScan(file, damages);
     scan.run(MAGIC.length, progress);
-    return new ChunkedRecording(file, FORMAT, false, scan.index(), scan.source(), damages);
+    return OpenedRecording.of(file, FORMAT, false, scan.index(), scan.source(), damages);
   }
 
   /** Empty where there is none that can be used. A bag that was not finished says so, which is no damage of its own. */

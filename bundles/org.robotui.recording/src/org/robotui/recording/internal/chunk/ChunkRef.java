@@ -1,6 +1,7 @@
 package org.robotui.recording.internal.chunk;
 
 import java.util.Arrays;
+import java.util.Map;
 
 /** A part of a file with messages, as the index has it. */
 public final class ChunkRef {
@@ -32,6 +33,12 @@ public final class ChunkRef {
    */
   public static ChunkRef of(long offset, long length, long start, long end, long messages, int[] channels) {
     return new ChunkRef(offset, length, start, end, messages, channels.clone());
+  }
+
+  /** The same chunk of a recording that has several files. */
+  ChunkRef renumbered(long place, Map<Integer, Integer> numbers) {
+    return new ChunkRef(place, length, start, end, messages,
+        Arrays.stream(channels).filter(numbers::containsKey).map(numbers::get).toArray());
   }
 
   public long offset() {

@@ -15,51 +15,42 @@ import org.robotui.recording.RecordingDamage;
 import org.robotui.recording.RecordingException;
 import org.robotui.recording.RecordingInterval;
 import org.robotui.recording.RecordingReader;
-import org.robotui.recording.internal.io.FileBytes;
 
 /** A recording of any format that consists of chunks. */
 public final class ChunkedRecording implements RecordingReader {
 
-  private final FileBytes file;
-  private final String format;
-  private final boolean indexed;
+  private final OpenedRecording opened;
   private final Map<Integer, RecordedChannel> channels;
   private final Map<Integer, Long> counts;
   private final List<RecordedAttachment> attachments;
   private final List<RecordedMetadata> metadata;
-  private final DamageList damages;
   private final TimeOrder order;
-  private final ChunkSource source;
   private final ChunkCache cache;
 
-  public ChunkedRecording(FileBytes file, String format, boolean indexed, FileIndex index, ChunkSource source,
-      DamageList damages) {
-    this.file = file;
-    this.format = format;
-    this.indexed = indexed;
-    this.source = source;
-    this.damages = damages;
+  public ChunkedRecording(OpenedRecording opened) {
+    this.opened = opened;
+    FileIndex index = opened.index();
     channels = index.channels();
     counts = Map.copyOf(index.counts());
     attachments = List.copyOf(index.attachments());
     metadata = List.copyOf(index.metadata());
     order = new TimeOrder(index.chunks());
-    cache = new ChunkCache(source);
+    cache = new ChunkCache(opened.source());
   }
 
   @Override
   public Path file() {
-    return file.path();
+    return opened.path();
   }
 
   @Override
   public String format() {
-    return format;
+    return opened.format();
   }
 
   @Override
   public boolean isIndexed() {
-    return indexed;
+    return opened.indexed();
   }
 
   @Override
@@ -85,7 +76,7 @@ public final class ChunkedRecording implements RecordingReader {
 
   @Override
   public ByteBuffer content(RecordedAttachment attachment) throws RecordingException {
-    return source.content(attachment);
+    return opened.source().content(attachment);
   }
 
   @Override
@@ -95,7 +86,7 @@ public final class ChunkedRecording implements RecordingReader {
 
   @Override
   public List<RecordingDamage> damages() {
-    return damages.all();
+    return opened.damages().get();
   }
 
   @Override
@@ -135,6 +126,6 @@ public final class ChunkedRecording implements RecordingReader {
 
   @Override
   public void close() {
-    file.close();
+    opened.end().run();
   }
 }

@@ -2,6 +2,7 @@ package org.robotui.recording.internal.chunk;
 
 import java.util.Arrays;
 import java.util.Comparator;
+import java.util.Map;
 import java.util.stream.IntStream;
 
 /** Where the messages of a chunk lie in its bytes, as numbers side by side. */
@@ -40,6 +41,15 @@ public final class EntryTable {
     sequences = Arrays.copyOf(sequences, larger);
     froms = Arrays.copyOf(froms, larger);
     lengths = Arrays.copyOf(lengths, larger);
+  }
+
+  /** The same entries by other numbers of their channels. */
+  EntryTable renumbered(Map<Integer, Integer> numbers) {
+    EntryTable other = new EntryTable();
+    for (int i = 0; i < size; i++) {
+      other.add(numbers.get(channels[i]), logTimes[i], publishTimes[i], sequences[i], froms[i], lengths[i]);
+    }
+    return other;
   }
 
   public LoadedChunk over(byte[] bytes) {

@@ -1,6 +1,7 @@
 package org.robotui.recording.internal.chunk;
 
 import java.nio.ByteBuffer;
+import java.util.Map;
 import java.util.stream.IntStream;
 import org.robotui.recording.RecordedChannel;
 import org.robotui.recording.RecordedMessage;
@@ -60,10 +61,25 @@ public final class LoadedChunk {
   }
 
   RecordedMessage message(int ordinal, RecordedChannel channel) {
+    return new RecordedMessage(channel, logTime(ordinal), publishTime(ordinal), sequence(ordinal), data(ordinal));
+  }
+
+  ByteBuffer data(int ordinal) {
     int entry = order[ordinal];
-    ByteBuffer data = ByteBuffer.wrap(bytes, entries.from(entry), entries.length(entry)).slice().asReadOnlyBuffer();
-    return new RecordedMessage(channel, entries.logTime(entry), entries.publishTime(entry), entries.sequence(entry),
-        data);
+    return ByteBuffer.wrap(bytes, entries.from(entry), entries.length(entry)).slice().asReadOnlyBuffer();
+  }
+
+  long publishTime(int ordinal) {
+    return entries.publishTime(order[ordinal]);
+  }
+
+  long sequence(int ordinal) {
+    return entries.sequence(order[ordinal]);
+  }
+
+  /** The same messages by other numbers of their channels. */
+  LoadedChunk renumbered(Map<Integer, Integer> numbers) {
+    return new LoadedChunk(bytes, entries.renumbered(numbers));
   }
 
   public IntStream channels() {

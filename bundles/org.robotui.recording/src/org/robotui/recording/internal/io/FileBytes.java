@@ -22,8 +22,13 @@ public final class FileBytes implements AutoCloseable {
   }
 
   public static FileBytes open(Path path) throws RecordingException {
+    return open(path, path);
+  }
+
+  /** Opens what another file has become, and is told of by the name of that. */
+  public static FileBytes open(Path place, Path path) throws RecordingException {
     try {
-      RandomAccessFile file = new RandomAccessFile(path.toFile(), "r");
+      RandomAccessFile file = new RandomAccessFile(place.toFile(), "r");
       return new FileBytes(path, file, file.length());
     } catch (IOException e) {
       throw new RecordingException(path, "cannot be opened", e);

@@ -4,10 +4,9 @@ import java.util.Arrays;
 import java.util.Optional;
 import java.util.OptionalLong;
 import org.robotui.recording.RecordingException;
-import org.robotui.recording.RecordingReader;
 import org.robotui.recording.ScanProgress;
-import org.robotui.recording.internal.chunk.ChunkedRecording;
 import org.robotui.recording.internal.chunk.DamageList;
+import org.robotui.recording.internal.chunk.OpenedRecording;
 import org.robotui.recording.internal.io.FileBytes;
 import org.robotui.recording.internal.io.MalformedRecord;
 
@@ -24,16 +23,16 @@ public final class McapOpener {
     return file.size() >= magic.length && Arrays.equals(file.read(0, magic.length), magic);
   }
 
-  public static RecordingReader open(FileBytes file, ScanProgress progress) throws RecordingException {
+  public static OpenedRecording open(FileBytes file, ScanProgress progress) throws RecordingException {
     DamageList damages = new DamageList();
     Optional<McapSummary> summary = summary(file, damages);
     if (summary.isPresent()) {
       McapSource source = new McapSource(file, summary.get().definitions(), damages);
-      return new ChunkedRecording(file, FORMAT, true, summary.get().index(), source, damages);
+      return OpenedRecording.of(file, FORMAT, true, summary.get().index(), source, damages);
     }
     McapScan scan = new McapScan(file, damages);
     scan.run(progress);
-    return new ChunkedRecording(file, FORMAT, false, scan.index(), scan.source(), damages);
+    return OpenedRecording.of(file, FORMAT, false, scan.index(), scan.source(), damages);
   }
 
   /** A file need not have a summary, nor one with all that is needed: only a wrong one is a damage. */

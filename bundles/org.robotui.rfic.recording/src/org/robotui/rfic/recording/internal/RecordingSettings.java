@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.robotui.api.config.Placed;
 import org.robotui.api.config.Schema;
 import org.robotui.api.config.Setting;
@@ -14,18 +15,20 @@ import org.robotui.api.config.Settings;
 import org.robotui.api.config.ValueType;
 import org.robotui.message.topic.TopicSettings;
 import org.robotui.recording.RecordingException;
-import org.robotui.recording.Recordings;
+import org.robotui.rfic.recording.internal.file.RecordingFiles;
 import org.robotui.rfic.recording.internal.time.PlaySettings;
 
 /**
  * Which recording is played, and how.
  *
  * @param file the recording
+ * @param types where types of LCM are declared: files and folders
  * @param topics which topics become ports
  * @param playing how it comes to the timeline
  */
-public record RecordingSettings(Path file, TopicSettings topics, PlaySettings playing) {
+public record RecordingSettings(Path file, List<Path> types, TopicSettings topics, PlaySettings playing) {
   static final String FILE = "file";
+  private static final String TYPES = "types";
   private static final String OFFSET = "offset";
   private static final String PLAY = "play";
   private static final String LOOP = "loop";
@@ -38,7 +41,11 @@ public record RecordingSettings(Path file, TopicSettings topics, PlaySettings pl
   private static Schema schema() {
     List<Setting> all = new ArrayList<>();
     all.add(Setting.required(FILE, new ValueType.WithPlace(new ValueType.Text()),
-        "the recording, MCAP or a bag of ROS 1, relative to this file"));
+        "the recording, MCAP, a bag of ROS 1, a folder or file of rosbag2 or a log of LCM, relative to this file"));
+    all.add(Setting.optional(TYPES,
+        new ValueType.WithPlace(new ValueType.AnyOf(
+            List.of(new ValueType.Text(), new ValueType.ListOf(new ValueType.Text())))),
+        "for logs of LCM: files and folders of .lcm files, relative to this file"));
     all.addAll(TopicSettings.listening(RecordingSettings::checkName));
     all.add(Setting.of(OFFSET, new ValueType.Num(-FARTHEST_SECONDS, FARTHEST_SECONDS, "s"), 0.0,
         "what is added to its times, where it is shown beside recordings of other clocks"));
@@ -49,15 +56,41 @@ public record RecordingSettings(Path file, TopicSettings topics, PlaySettings pl
 
   static RecordingSettings of(Settings settings) {
     Placed written = settings.placed(FILE);
-    return new RecordingSettings(written.resolve(written.value().toString()), TopicSettings.ofListening(settings),
+    return new RecordingSettings(written.resolve(written.value().toString()), types(settings),
+        TopicSettings.ofListening(settings),
         new PlaySettings(Math.round(settings.number(OFFSET) * NANOS), settings.flag(PLAY), settings.flag(LOOP)));
   }
 
-  /** What is wrong with the file. Its beginning is read. */
+  private static List<Path> types(Settings settings) {
+    return settings.has(TYPES) ? places(settings.placed(TYPES)).map(settings.placed(TYPES)::resolve).toList()
+        : List.of();
+  }
+
+  private static Stream<String> places(Placed written) {
+    return written.value() instanceof List<?> list ? list.stream().map(Object::toString)
+        : Stream.of(written.value().toString());
+  }
+
+  /** What is wrong with the files. The beginning of the recording is read. */
   static List<SettingFault> faults(Settings settings) {
+    List<SettingFault> faults = new ArrayList<>();
     Placed written = settings.placed(FILE);
-    return fault(written).map(reason -> List.of(written.fault("'" + FILE + "': " + written.value() + " " + reason)))
-        .orElse(List.of());
+    fault(written).ifPresent(
+        reason -> faults.add(written.fault("'" + FILE + "': " + written.value() + " " + reason)));
+    if (settings.has(TYPES)) {
+      Placed types = settings.placed(TYPES);
+      places(types).filter(place -> !isThere(types, place)).forEach(place -> faults.add(types.fault("'" + TYPES + "': "
+          + place + " is not there; write where .lcm files are, relative to this file")));
+    }
+    return faults;
+  }
+
+  private static boolean isThere(Placed written, String place) {
+    try {
+      return Files.exists(written.resolve(place));
+    } catch (InvalidPathException e) {
+      return false;
+    }
   }
 
   private static Optional<String> fault(Placed written) {
@@ -67,19 +100,20 @@ public record RecordingSettings(Path file, TopicSettings topics, PlaySettings pl
     } catch (InvalidPathException e) {
       return Optional.of("is no name of a file: " + e.getReason());
     }
-    if (Files.isDirectory(file)) {
-      return Optional.of("is a folder; name a file in it, MCAP or a bag of ROS 1");
-    }
     if (!Files.exists(file)) {
       return Optional.of("is not there; write where the recording is, relative to this file");
     }
-    if (!Files.isRegularFile(file) || !Files.isReadable(file)) {
-      return Optional.of(
-          Files.isRegularFile(file) ? "may not be read: permission denied" : "is a device or a pipe; name a file");
+    boolean folder = Files.isDirectory(file);
+    if (!folder && !Files.isRegularFile(file)) {
+      return Optional.of("is a device or a pipe; name a file");
+    }
+    if (!Files.isReadable(file)) {
+      return Optional.of("may not be read: permission denied");
     }
     try {
-      return Recordings.isOne(file) ? Optional.empty()
-          : Optional.of("is no recording that is known here; MCAP and bags of ROS 1 (version 2.0) are");
+      return RecordingFiles.isOne(file) ? Optional.empty()
+          : Optional.of("is no " + (folder ? "folder of rosbag2; name one, or a file" : "recording that is known here")
+              + "; " + RecordingFiles.KNOWN + " are");
     } catch (RecordingException e) {
       return Optional.of("cannot be read: " + e.getMessage());
     }

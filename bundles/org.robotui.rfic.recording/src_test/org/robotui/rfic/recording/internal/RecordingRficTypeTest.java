@@ -13,6 +13,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.robotui.api.config.Placed;
 import org.robotui.api.config.Setting;
 import org.robotui.api.config.SettingFault;
+import org.robotui.rfic.recording.internal.file.RecordingFiles;
 import org.robotui.rfic.recording.internal.time.SharedTimeline;
 import org.robotui.testkit.FakeSettings;
 
@@ -35,10 +36,11 @@ class RecordingRficTypeTest {
     assertEquals(
         List.of(place + "run.mcap is not there; write where the recording is, relative to this file"),
         faults("run.mcap"));
-    assertEquals(List.of(place + ". is a folder; name a file in it, MCAP or a bag of ROS 1"), faults("."));
+    assertEquals(List.of(place + ". is no folder of rosbag2; name one, or a file; " + RecordingFiles.KNOWN + " are"),
+        faults("."));
     for (String other : List.of("notes.txt", "short.bag")) {
       assertEquals(List.of(
-          place + other + " is no recording that is known here; MCAP and bags of ROS 1 (version 2.0) are"),
+          place + other + " is no recording that is known here; " + RecordingFiles.KNOWN + " are"),
           faults(other));
     }
     assertTrue(faults("a\0b").getFirst().contains("is no name of a file"));
@@ -46,11 +48,14 @@ class RecordingRficTypeTest {
       recording.odometry("/odom", 0, 1);
     }
     assertEquals(List.of(), faults("run.mcap"));
+    Files.createDirectories(folder.resolve("bag"));
+    Files.move(folder.resolve("run.mcap"), folder.resolve("bag/run_0.mcap"));
+    assertEquals(List.of(), faults("bag"));
   }
 
   @Test
   void nothingThatCommandsCanBeSet() {
-    assertEquals("file, namespace, topics, tf, offset, play, loop",
+    assertEquals("file, types, namespace, topics, tf, offset, play, loop",
         type.schema().settings().stream().map(Setting::name).collect(Collectors.joining(", ")));
   }
 }

@@ -51,12 +51,17 @@ final class FileChoice {
 
   /** The dialog of the desktop tells capital letters apart. */
   private static String pattern(FileKind kind) {
-    return kind.extensions().stream().flatMap(e -> Stream.of(e, e.toUpperCase(Locale.ROOT))).map(e -> "*." + e)
-        .collect(Collectors.joining(";"));
+    return Stream.concat(kind.extensions().stream().flatMap(e -> Stream.of(e, e.toUpperCase(Locale.ROOT)))
+        .map(e -> "*." + e), names(kind)).collect(Collectors.joining(";"));
   }
 
   private static String words(FileKind kind) {
-    return kind.extensions().stream().map(e -> "*." + e).collect(Collectors.joining(", "));
+    return Stream.concat(kind.extensions().stream().map(e -> "*." + e), names(kind)).collect(Collectors.joining(", "));
+  }
+
+  /** The dialog has no folders; a file in one stands for it. */
+  private static Stream<String> names(FileKind kind) {
+    return kind.folders().stream().filter(name -> !name.contains("*"));
   }
 
   /** Files may be dropped anywhere on the window. */
@@ -86,7 +91,9 @@ final class FileChoice {
 
   private void open(Path file) {
     String name = file.getFileName().toString().toLowerCase(Locale.ROOT);
-    if (name.endsWith(".yaml") || name.endsWith(".yml")) {
+    boolean configuration = (name.endsWith(".yaml") || name.endsWith(".yml"))
+        && session.host().files().kinds().stream().noneMatch(kind -> kind.place(file).isPresent());
+    if (configuration) {
       session.configurations().load(file);
     } else {
       WindowModel shown = session.model(window);

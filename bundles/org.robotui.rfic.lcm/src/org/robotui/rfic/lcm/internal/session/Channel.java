@@ -17,8 +17,9 @@ import org.robotui.lcm.type.LcmRecord;
 import org.robotui.lcm.type.LcmType;
 import org.robotui.lcm.type.RecordException;
 import org.robotui.lcm.type.TypeLibrary;
-import org.robotui.rfic.lcm.internal.convert.RecordView;
-import org.robotui.rfic.lcm.internal.convert.TypeText;
+import org.robotui.lcm.type.TypeText;
+import org.robotui.message.lcm.RecordView;
+import org.robotui.message.lcm.UnknownMessage;
 
 /** One channel. Messages come from one thread; what is asked of it comes from any. */
 final class Channel implements AutoCloseable {
@@ -52,7 +53,7 @@ final class Channel implements AutoCloseable {
   /** A message came. */
   synchronized void accept(LcmMessage message) {
     tally.heard(message);
-    String found = RecordFeed.fingerprint(message);
+    String found = UnknownMessage.fingerprint(message.data());
     if (!typed || !found.equals(fingerprint)) {
       retyped(found);
     }

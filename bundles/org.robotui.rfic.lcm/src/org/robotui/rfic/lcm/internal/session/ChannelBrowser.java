@@ -13,8 +13,8 @@ import org.robotui.lcm.Lcm;
 import org.robotui.lcm.LcmStatistics;
 import org.robotui.lcm.type.LcmType;
 import org.robotui.lcm.type.TypeLibrary;
-import org.robotui.rfic.lcm.internal.convert.TypeShapes;
-import org.robotui.rfic.lcm.internal.convert.TypeText;
+import org.robotui.lcm.type.TypeText;
+import org.robotui.message.lcm.TypeShapes;
 
 /** What was heard. LCM has no master to ask: programs are known by the addresses from which they send. */
 final class ChannelBrowser implements Browser {

@@ -1,17 +1,15 @@
 package org.robotui.rfic.lcm.internal.session;
 
-import java.util.HexFormat;
 import java.util.Optional;
 import org.robotui.api.RficContext;
 import org.robotui.api.port.RawMessage;
-import org.robotui.data.array.Bytes;
 import org.robotui.data.record.DynamicRecord;
 import org.robotui.lcm.LcmMessage;
 import org.robotui.lcm.type.LcmRecord;
 import org.robotui.lcm.type.LcmType;
 import org.robotui.lcm.type.LcmValue;
-import org.robotui.rfic.lcm.internal.convert.RecordView;
-import org.robotui.rfic.lcm.internal.convert.UnknownMessage;
+import org.robotui.message.lcm.RecordView;
+import org.robotui.message.lcm.UnknownMessage;
 
 /** A channel as records with the fields of its type, or as bytes where the type is not known. */
 final class RecordFeed extends Feed<DynamicRecord> {
@@ -49,12 +47,6 @@ final class RecordFeed extends Feed<DynamicRecord> {
 
   @Override
   void unknown(LcmMessage message, RawMessage raw) {
-    publish(new UnknownMessage(fingerprint(message), Bytes.wrap(message.data()), remedy), Optional.empty(), message,
-        raw);
-  }
-
-  /** The number that a message starts with, in words. */
-  static String fingerprint(LcmMessage message) {
-    return message.data().remaining() < Long.BYTES ? "" : "0x" + HexFormat.of().toHexDigits(message.data().getLong(0));
+    publish(UnknownMessage.of(message.data(), remedy), Optional.empty(), message, raw);
   }
 }

@@ -21,9 +21,9 @@ import org.robotui.message.topic.SharedTransforms;
 import org.robotui.message.topic.TopicPorts;
 import org.robotui.recording.RecordingDamage;
 import org.robotui.recording.RecordingReader;
-import org.robotui.recording.Recordings;
 import org.robotui.recording.ScanProgress;
 import org.robotui.rfic.recording.internal.RecordingSettings;
+import org.robotui.rfic.recording.internal.file.RecordingFiles;
 import org.robotui.rfic.recording.internal.time.Seat;
 import org.robotui.rfic.recording.internal.time.SharedTimeline;
 import org.robotui.web.LinkTurns;
@@ -93,7 +93,8 @@ public final class RecordingSession implements RobotSession {
   public static RobotSession open(RficContext context, RecordingSettings settings, SharedTimeline timeline,
       SessionScope scope) throws IOException {
     RecordingReader recording =
-        scope.closing(Recordings.open(settings.file(), progress(context, settings)), RecordingReader::close);
+        scope.closing(RecordingFiles.open(settings.file(), settings.types(), progress(context, settings)),
+            RecordingReader::close);
     TimeRange span = recording.span().filter(each -> each.end() >= 0 && each.start() <= Seat.FARTHEST)
         .map(each -> new TimeRange(Math.max(0, each.start()), Math.min(Seat.FARTHEST, each.end())))
         .orElseThrow(() -> new IOException(empty(recording)));

@@ -1,9 +1,6 @@
 package org.robotui.rfic.recording.internal.session;
 
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
-import java.util.Base64;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -11,19 +8,15 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.robotui.message.Generation;
-import org.robotui.message.payload.PayloadFormat;
 import org.robotui.message.payload.PayloadFormats;
-import org.robotui.message.payload.PayloadSource;
 import org.robotui.message.payload.ReceptionRule;
 import org.robotui.message.topic.TopicGraph;
 import org.robotui.recording.RecordedChannel;
-import org.robotui.recording.RecordedSchema;
 import org.robotui.recording.RecordingReader;
+import org.robotui.rfic.recording.internal.file.ChannelFormats;
 
 /** The channels of a recording by topic; several may have the same. Immutable. */
 public final class TopicTable {
-  private static final String PROTOBUF = "protobuf";
-
   private final Map<String, List<PlayedChannel>> byTopic = new TreeMap<>();
 
   /**
@@ -33,22 +26,13 @@ public final class TopicTable {
    * @param formats knows encodings
    */
   TopicTable(RecordingReader recording, PayloadFormats formats) {
-    Map<RecordedSchema, Map<String, PayloadFormat>> known = new HashMap<>();
+    ChannelFormats known = new ChannelFormats(formats);
     Map<Integer, Long> counts = recording.messageCounts();
     for (RecordedChannel channel : recording.channels()) {
       String topic = name(channel);
-      PayloadFormat format = known.computeIfAbsent(channel.schema(), schema -> new TreeMap<>())
-          .computeIfAbsent(channel.messageEncoding(), encoding -> formats.of(source(channel)));
       byTopic.computeIfAbsent(topic, name -> new ArrayList<>())
-          .add(new PlayedChannel(channel, topic, format, counts.getOrDefault(channel.id(), 0L)));
+          .add(new PlayedChannel(channel, topic, known.of(channel), counts.getOrDefault(channel.id(), 0L)));
     }
-  }
-
-  private static PayloadSource source(RecordedChannel channel) {
-    byte[] definition = channel.schema().definition();
-    String schema = channel.messageEncoding().equals(PROTOBUF) ? Base64.getEncoder().encodeToString(definition)
-        : new String(definition, StandardCharsets.UTF_8);
-    return new PayloadSource(channel.messageEncoding(), channel.schema().name(), channel.schema().encoding(), schema);
   }
 
   /**
