@@ -3,7 +3,6 @@ package org.robotui.uic.plot.internal.model;
 import java.io.IOException;
 import java.io.Writer;
 import java.util.List;
-import java.util.Locale;
 import org.robotui.api.input.Numerals;
 import org.robotui.uic.plot.internal.trace.Samples;
 import org.robotui.uic.plot.internal.trace.TimeSpan;
@@ -17,6 +16,7 @@ public final class CsvExport {
   /** A trace to write. */
   public record Column(String name, String unit, Samples samples) {}
 
+  private static final int DIGITS = 9;
   private static final int LOOK_EVERY = 1 << 12;
 
   private final List<Column> columns;
@@ -91,8 +91,8 @@ public final class CsvExport {
 
   static String seconds(long nanos) {
     long size = Math.abs(nanos);
-    return String.format(Locale.ROOT, "%s%d.%09d", nanos < 0 ? "-" : "", size / TimeSpan.SECOND,
-        size % TimeSpan.SECOND);
+    String part = Long.toString(size % TimeSpan.SECOND);
+    return (nanos < 0 ? "-" : "") + size / TimeSpan.SECOND + "." + "0".repeat(DIGITS - part.length()) + part;
   }
 
   private static String quoted(String text) {

@@ -151,7 +151,8 @@ public final class PlotEngine {
 
   private void choose() {
     Set<SourceId> wanted = new HashSet<>(watched);
-    traces.keySet().stream().filter(expr -> whole.trace(expr).isEmpty()).forEach(expr -> expr.fields().map(Expr.Field::source).forEach(wanted::add));
+    traces.keySet().stream().filter(expr -> whole.trace(expr).isEmpty())
+        .forEach(expr -> expr.fields().map(Expr.Field::source).forEach(wanted::add));
     if (!wanted.equals(chosen)) {
       chosen = Set.copyOf(wanted);
       input.choose(chosen);

@@ -49,7 +49,8 @@ public record TimeView(Optional<TimeSpan> held, OptionalDouble zoomed) {
     if (held.isPresent()) {
       return held.get();
     }
-    return isFollowing() ? TimeSpan.until(position, zoomed.getAsDouble()).moved(TimeSpan.nanos(zoomed.getAsDouble()) / 2)
+    return isFollowing()
+        ? TimeSpan.until(position, zoomed.getAsDouble()).moved(TimeSpan.nanos(zoomed.getAsDouble()) / 2)
         : all.widened();
   }
 

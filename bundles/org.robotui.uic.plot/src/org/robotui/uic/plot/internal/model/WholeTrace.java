@@ -130,7 +130,8 @@ final class WholeTrace {
   /** What is to be said of it beside what a live trace says. */
   String remark() {
     String thinned = every > 1
-        ? "\nof each " + every + " samples the smallest and the largest are kept, as memory is limited" : "";
+        ? "\nof each " + every + " samples the smallest and the largest are kept, as memory is limited"
+        : "";
     String unusable = found.refused().isEmpty() ? "" : "\n" + found.refused();
     return (done ? "the whole recording" : "the recording is being read") + thinned + unusable;
   }

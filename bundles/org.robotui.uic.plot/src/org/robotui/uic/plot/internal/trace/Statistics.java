@@ -14,6 +14,7 @@ public record Statistics(long count, double min, double max, double mean, double
   static Statistics of(Summary all, long nanos) {
     boolean none = all.isEmpty();
     return new Statistics(all.count(), none ? Double.NaN : all.min(), none ? Double.NaN : all.max(), all.mean(),
-        all.deviation(), nanos > 0 && all.count() > 1 ? (all.count() - 1) * (double) TimeSpan.SECOND / nanos : Double.NaN);
+        all.deviation(),
+        nanos > 0 && all.count() > 1 ? (all.count() - 1) * (double) TimeSpan.SECOND / nanos : Double.NaN);
   }
 }

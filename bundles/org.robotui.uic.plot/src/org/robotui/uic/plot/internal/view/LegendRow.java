@@ -59,7 +59,8 @@ record LegendRow(TraceView trace, String value, String number, String figures, O
       text.append(" [").append(trace.unit()).append(']');
     }
     if (trace.series().isPresent()) {
-      text.append('\n').append(trace.recorded().orElseGet(() -> StateView.word(trace.state()))).append(" \u00b7 ").append(trace.series().get().size())
+      text.append('\n').append(trace.recorded().orElseGet(() -> StateView.word(trace.state()))).append(" \u00b7 ")
+          .append(trace.series().get().size())
           .append(" samples kept");
     }
     trouble.ifPresent(t -> text.append('\n').append(t.text()));

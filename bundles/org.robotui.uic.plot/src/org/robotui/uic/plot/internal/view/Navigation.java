@@ -272,7 +272,8 @@ final class Navigation {
 
   private void keyZoom(double factor) {
     painter.frames().stream().findFirst().ifPresent(f -> zoomTime(f, factor, scene.get().replay().map(Replay::position)
-        .filter(f.span()::contains).map(position -> Math.round(f.x(position))).orElse(f.plot().x + f.plot().width / 2)));
+        .filter(f.span()::contains).map(position -> Math.round(f.x(position)))
+        .orElse(f.plot().x + f.plot().width / 2)));
   }
 
   private void keyValues(Event event, double share) {

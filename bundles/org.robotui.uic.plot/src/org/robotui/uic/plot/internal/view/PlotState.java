@@ -47,7 +47,8 @@ public final class PlotState {
   }
 
   TimeSpan span(PlotScene scene, int axis) {
-    return scene.replay().map(replay -> time(scene, axis).played(replay.position(), scene.extent().orElse(replay.span())))
+    return scene.replay()
+        .map(replay -> time(scene, axis).played(replay.position(), scene.extent().orElse(replay.span())))
         .orElseGet(() -> time(scene, axis).span(scene.now(), scene.spec().window(), scene.extent()));
   }
 
