@@ -2,6 +2,7 @@ package org.robotui.data.record;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.robotui.data.Data;
 
 /**
@@ -39,5 +40,17 @@ public interface DynamicRecord extends Data {
    */
   default Optional<FieldValue> at(FieldPath path) {
     return path.in(this);
+  }
+
+  /**
+   * The number at a path, for who reads one out of many values: without the text of its digits, and without what lies
+   * beside it.
+   *
+   * @param path for example {@code pose.position.x} or {@code ranges[3]}
+   * @return the number, or none where there is something else or nothing
+   */
+  default OptionalDouble number(FieldPath path) {
+    return at(path).stream().filter(FieldValue.Num.class::isInstance).mapToDouble(v -> ((FieldValue.Num) v).value())
+        .findFirst();
   }
 }

@@ -25,7 +25,22 @@ class DataRecordTest {
   private static final FrameId FRAME = new FrameId("keira", "laser");
 
   private static Optional<FieldValue> at(Data value, String path) {
-    return DataRecord.of(value).at(FieldPath.parse(path));
+    Optional<FieldValue> found = DataRecord.of(value).at(FieldPath.parse(path));
+    assertEquals(found.stream().filter(FieldValue.Num.class::isInstance).mapToDouble(v -> ((FieldValue.Num) v).value())
+        .findFirst(), DataRecord.of(value).number(FieldPath.parse(path)), path);
+    return found;
+  }
+
+  @Test
+  void theInsideOfStampsAndFramesIsNoField() {
+    LaserScan scan = new LaserScan(FRAME, -1.5, 0.1, 0, 10, 0, Floats.of(1, 2.5f), Floats.EMPTY);
+    assertEquals(Optional.empty(), at(scan, "frame.robot"));
+    assertEquals(Optional.empty(), at(scan, "ranges[1].x"));
+    assertEquals(Optional.empty(), at(scan, "angleMin[0]"));
+    StampedPose pose = new StampedPose(FRAME, RigidTransform.IDENTITY);
+    assertEquals(Optional.of(new FieldValue.Num(1, "1.0")), at(pose, "pose.rotation.w"));
+    assertTrue(at(pose, "pose.rotation.roll").isPresent());
+    assertTrue(at(pose, "pose.rotation").isPresent());
   }
 
   @Test

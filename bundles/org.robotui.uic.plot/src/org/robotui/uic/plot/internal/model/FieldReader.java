@@ -2,6 +2,7 @@ package org.robotui.uic.plot.internal.model;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import org.robotui.data.record.DynamicRecord;
@@ -30,6 +31,10 @@ public final class FieldReader {
 
   /** Looks in the data record first, then in the record in the robot's own names, which is asked for only then. */
   public Found read(DynamicRecord data, Supplier<DynamicRecord> own) {
+    OptionalDouble number = data.number(path);
+    if (number.isPresent()) {
+      return new Number(number.getAsDouble(), data.schema());
+    }
     Optional<FieldValue> value = data.at(path);
     if (value.isPresent()) {
       return number(value.get(), data.schema());

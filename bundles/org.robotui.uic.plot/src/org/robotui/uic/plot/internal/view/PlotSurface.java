@@ -73,7 +73,7 @@ public final class PlotSurface implements ViewSurface {
     this.canvas = new PaintedCanvas(root, context.theme(), this::paint);
     this.chooser =
         new ChooserPanel(root, context.theme(), robot, text -> edits.add(text, lastAxis()), this::closeChooser);
-    this.statistics = new StatisticsPane(root, context.theme());
+    this.statistics = new StatisticsPane(root, context.theme(), () -> showStatistics(true));
     this.navigation = new Navigation(canvas, () -> this.scene, state, painter);
     this.menu = new PlotMenu(edits, new Commands(), robot.ports(context.theme()));
     this.ports = new PortAdder(canvas, robot, new Ports());
@@ -97,7 +97,7 @@ public final class PlotSurface implements ViewSurface {
     }
     boolean others = !next.spec().equals(scene.spec());
     scene = next;
-    statistics.show(scene, state, others);
+    showStatistics(others);
     if (others) {
       place();
     }
@@ -164,8 +164,12 @@ public final class PlotSurface implements ViewSurface {
   /** Shows the statistics below the axes, or takes them away. */
   public void statistics() {
     statistics.open(!statistics.isOpen());
-    statistics.show(scene, state, true);
+    showStatistics(true);
     place();
+  }
+
+  private void showStatistics(boolean now) {
+    statistics.show(scene, state, now);
   }
 
   public boolean showsStatistics() {
@@ -212,7 +216,7 @@ public final class PlotSurface implements ViewSurface {
         statistics();
       }
     });
-    canvas.addListener(SWT.Paint, e -> statistics.show(scene, state, false));
+    canvas.addListener(SWT.Paint, e -> showStatistics(false));
   }
 
   /** A click on the name of a trace hides or shows it. */

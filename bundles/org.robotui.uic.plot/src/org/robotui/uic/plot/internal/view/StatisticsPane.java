@@ -21,18 +21,21 @@ final class StatisticsPane {
   private static final int MOST_ROWS = 6;
   private static final int NAME = 180;
   private static final int FIGURE = 96;
-  private static final long CALM_NANOS = 200_000_000L;
+  private static final int CALM_MILLIS = 200;
 
   private final RowTable<StatisticsRow> table;
-  private long shownNanos;
+  private final Runnable again;
+  private boolean calm;
 
-  StatisticsPane(Composite parent, Theme theme) {
+  /** Given also what shows it once more. */
+  StatisticsPane(Composite parent, Theme theme, Runnable again) {
+    this.again = again;
     List<Column<StatisticsRow>> columns = new ArrayList<>();
     columns.add(Column.words("Trace", StatisticsRow::name).width(NAME));
     StatisticsRow.FIGURES.forEach(figure -> columns.add(Column.figures(figure.title(), figure.text()).width(FIGURE)
         .order(Comparator.comparing(figure.number()))));
     table = new RowTable<>(parent, theme, columns, StatisticsRow::ref);
-    table.control().setVisible(false);
+    table.onOrder(again).control().setVisible(false);
     table.list().named("Statistics").several().menu((menu, rows) -> {
       menu.push("Copy all", this::copy);
     });
@@ -48,7 +51,6 @@ final class StatisticsPane {
 
   void open(boolean shown) {
     table.control().setVisible(shown);
-    shownNanos = 0;
   }
 
   /** How high it is where there is so much room. */
@@ -57,11 +59,18 @@ final class StatisticsPane {
     return isOpen() ? Math.min(room / 2, HEAD + ROW * (int) Math.clamp(rows, 1, MOST_ROWS)) : 0;
   }
 
-  /** Computes them anew, as often as one can read. */
+  /** Computes them anew, at once or as often as one can read. */
   void show(PlotScene scene, PlotState state, boolean now) {
-    if (isOpen() && (now || System.nanoTime() - shownNanos > CALM_NANOS)) {
-      shownNanos = System.nanoTime();
+    if (isOpen() && now) {
       table.show(table.sorted(rows(scene, state)));
+    } else if (isOpen() && !calm) {
+      calm = true;
+      table.control().getDisplay().timerExec(CALM_MILLIS, () -> {
+        calm = false;
+        if (!table.control().isDisposed()) {
+          again.run();
+        }
+      });
     }
   }
 
