@@ -19,8 +19,9 @@ final class StatisticsPane {
   private static final int HEAD = 26;
   private static final int ROW = 26;
   private static final int MOST_ROWS = 6;
-  private static final int NAME = 180;
-  private static final int FIGURE = 96;
+  private static final double NAME_SHARE = 1.6;
+  private static final String LEAST_WANTED = "Rate [Hz]";
+  private static final int ROOM = 560;
   private static final int CALM_MILLIS = 200;
 
   private final RowTable<StatisticsRow> table;
@@ -31,8 +32,9 @@ final class StatisticsPane {
   StatisticsPane(Composite parent, Theme theme, Runnable again) {
     this.again = again;
     List<Column<StatisticsRow>> columns = new ArrayList<>();
-    columns.add(Column.words("Trace", StatisticsRow::name).width(NAME));
-    StatisticsRow.FIGURES.forEach(figure -> columns.add(Column.figures(figure.title(), figure.text()).width(FIGURE)
+    columns.add(Column.words("Trace", StatisticsRow::name).weight(NAME_SHARE));
+    StatisticsRow.FIGURES.forEach(figure -> columns.add(Column.figures(figure.title(), figure.text())
+        .weight(1).from(figure.title().equals(LEAST_WANTED) ? ROOM : 0)
         .order(Comparator.comparing(figure.number()))));
     table = new RowTable<>(parent, theme, columns, StatisticsRow::ref);
     table.onOrder(again).control().setVisible(false);
