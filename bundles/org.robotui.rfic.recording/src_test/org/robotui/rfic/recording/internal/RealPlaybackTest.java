@@ -21,11 +21,14 @@ import org.junit.jupiter.api.condition.EnabledIf;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.robotui.api.config.Placed;
 import org.robotui.api.link.LinkState;
 import org.robotui.api.port.RawMessage;
 import org.robotui.api.replay.StreamHistory;
 import org.robotui.api.replay.TimeRange;
 import org.robotui.api.replay.TimelineState;
+import org.robotui.data.record.DynamicRecord;
+import org.robotui.data.record.FieldValue;
 import org.robotui.recording.RecordedChannel;
 import org.robotui.recording.RecordingException;
 import org.robotui.recording.RecordingReader;
@@ -166,6 +169,28 @@ class RealPlaybackTest {
           && f.reason().contains("nothing to play"));
       assertEquals(TimelineState.EMPTY, bench.state());
     }
+  }
+
+  @Test
+  void aLogOfLcmIsPlayedByItsTypesAndWithoutThemAsBytes() {
+    Path log = SharedData.file("lcm/sena_loop.lcmlog");
+    Map<String, Object> types = Map.of("play", false, "types", Placed.nowhere(SharedData.file("lcm/types").toString()));
+    try (PlayBench typed = new PlayBench(); PlayBench raw = new PlayBench()) {
+      assertTrue(atTheEnd(typed, log, types, "ODOMETRY").field("xy_theta").orElseThrow() instanceof FieldValue.Numbers n
+          && Math.abs(n.values().get(1) + 21.163699) < 1e-6);
+      DynamicRecord bytes = atTheEnd(raw, log, Map.of("play", false), "ODOMETRY");
+      assertEquals("unknown 0xf2845346b80525ab", bytes.schema());
+      assertTrue(bytes.field("remedy").orElseThrow().toString().contains("write after types:"), bytes.toString());
+    }
+  }
+
+  private static DynamicRecord atTheEnd(PlayBench bench, Path file, Map<String, Object> settings, String port) {
+    FakeRficContext context = bench.open(file, settings);
+    context.demand(port, true);
+    bench.timeline.seek(bench.state().span().orElseThrow().end());
+    PlayBench.await(() -> "" + context.published.keySet(),
+        () -> context.published.containsKey(port) && !context.published.get(port).isEmpty());
+    return (DynamicRecord) context.published.get(port).getLast().value();
   }
 
   @Test
