@@ -238,6 +238,18 @@ class WholeSeriesTest {
   }
 
   @Test
+  void statisticsAreCopiedAsATableWithAllDigits() {
+    odometry(0, 1.25, 1, 2.25, 2, 4);
+    plot(X, "base./odom:speed");
+    PlotScene scene = read();
+    TimeSpan first = new TimeSpan(BEGIN, BEGIN + SECOND);
+    assertEquals("""
+        Trace\tSamples\tMinimum\tMaximum\tMean\tStd. deviation\tRate [Hz]
+        linear.x [m/s]\t2\t1.25\t2.25\t1.75\t0.5\t1
+        speed\t0\t\t\t\t\t""", StatisticsRow.table(StatisticsRow.of(scene, axis -> first)));
+  }
+
+  @Test
   void aFieldThatIsNotThereIsNamed() {
     odometry(0, 1);
     plot("base./odom:speed");
