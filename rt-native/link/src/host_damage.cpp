@@ -7,6 +7,11 @@
 #include "robotui/rt/link/relaxed.h"
 #include "robotui/rt/link/segment.h"
 
+// Thread sanitizer does not model fences. It need not here: all accesses around them are atomic.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wtsan"
+#endif
+
 namespace robotui::rt::link {
 
 namespace {

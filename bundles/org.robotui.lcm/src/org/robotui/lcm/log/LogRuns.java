@@ -47,7 +47,7 @@ final class LogRuns implements MessageRuns {
     lost(before, span.start());
     Optional<RecordedChannel> channel = channel(reader, span);
     long utime = reader.utime(span);
-    if (channel.isEmpty() || Math.abs(utime) > LATEST) {
+    if (channel.isEmpty() || !isTime(utime)) {
       damaged(span.start(), channel.isEmpty() ? "an event was left out: it is too long, or of too many channels"
           : "an event was left out: its time is " + utime + " microseconds");
       return;
@@ -62,6 +62,11 @@ final class LogRuns implements MessageRuns {
     if (to - from >= BYTES) {
       end(from, to);
     }
+  }
+
+  /** Whether it can be said in nanoseconds. */
+  private static boolean isTime(long micros) {
+    return micros >= -LATEST && micros <= LATEST;
   }
 
   private Optional<RecordedChannel> channel(EventLogReader reader, EventLogReader.Span span) throws IOException {
@@ -137,7 +142,7 @@ final class LogRuns implements MessageRuns {
   private Optional<RecordedMessage> message(EventLogReader reader, EventLogReader.Span span) throws IOException {
     long time = reader.utime(span);
     Optional<RecordedChannel> channel = channel(reader, span);
-    if (channel.isEmpty() || Math.abs(time) > LATEST) {
+    if (channel.isEmpty() || !isTime(time)) {
       return Optional.empty();
     }
     LogEvent event = reader.event(span);

@@ -89,6 +89,21 @@ class LcmRecordingTest {
   }
 
   @Test
+  void eventsWhoseTimesAreNoneAreLeftOut() throws IOException {
+    Path path = folder.resolve("times.lcmlog");
+    try (EventLogWriter writer = EventLogWriter.create(path)) {
+      for (long time : new long[]{Long.MIN_VALUE, 1_000_000, Long.MAX_VALUE}) {
+        writer.write(time, "A", ByteBuffer.allocate(4));
+      }
+    }
+    try (RecordingReader recording = LcmRecording.open(path, NONE, ScanProgress.NONE)) {
+      assertEquals(new RecordingInterval(1_000_000_000, 1_000_000_000), recording.span().orElseThrow());
+      assertEquals(1, read(recording));
+      assertEquals(2, recording.damages().size());
+    }
+  }
+
+  @Test
   void damagedLogsComeToAnEnd() throws IOException {
     byte[] whole = Files.readAllBytes(log(40));
     ByteMutator mutator = new ByteMutator(3);
