@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "robotui/rt/link/board.h"
-#include "running_robot.h"
+#include "two_hosts.h"
 
 namespace robotui::rt::supervisor {
 namespace {
@@ -15,17 +15,7 @@ using link::PluginState;
 // so that it answers none in time and comes later from frame to frame.
 constexpr int kMisses = 10;
 
-constexpr const char* kTwoHosts = R"(
-xbotcore_threads:
-  first: {sched: fifo, prio: 60, period: 0.001, host: a}
-  second: {sched: fifo, prio: 55, period: 0.002, host: b}
-xbotcore_plugins:
-  bad: {thread: first, type: Naughty, params: {joints: [shoulder_yaw]}}
-  good: {thread: second, type: Naughty, params: {joints: [elbow_pitch]}}
-)";
-
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-void expectIn(const std::string& text, const std::string& part) { EXPECT_TRUE(has(text, part)) << text; }
 
 // The line of a table that begins with this word.
 std::string line(const std::string& table, const std::string& first) {

@@ -2,17 +2,11 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
-#include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <memory>
-#include <thread>
 
 #include "robotui/rt/link/board.h"
-#include "robotui/rt/link/clock.h"
 #include "robotui/rt/link/relaxed.h"
-#include "robotui/rt/link/state.h"
-#include "running_robot.h"
+#include "two_hosts.h"
 
 namespace robotui::rt::supervisor {
 namespace {
@@ -20,133 +14,10 @@ namespace {
 using link::Control;
 using link::PluginState;
 
-// Two hosts: a bad plugin in one, a good one in the other.
-constexpr const char* kTwoHosts = R"(
-xbotcore_threads:
-  first: {sched: fifo, prio: 60, period: 0.001, host: a}
-  second: {sched: fifo, prio: 55, period: 0.002, host: b}
-xbotcore_plugins:
-  bad: {thread: first, type: Naughty, params: {joints: [shoulder_yaw]}}
-  good: {thread: second, type: Naughty, params: {joints: [elbow_pitch]}}
-  rival: {thread: second, type: Naughty, params: {joints: [shoulder_yaw, elbow_pitch]}}
-)";
-
-// A plugin that is late falls, and is stopped: not where that is not what is looked at.
-constexpr int kPatient = 1000;
-constexpr int kMisses = 20;
-
 constexpr const char* kTutorial = R"(
 XBotRTPlugins:
   plugins: [HomingExample, Sine, {name: log, type: Logging}, XBotCommunicationPlugin]
 )";
-
-void expectOk(const link::Reply& reply) { EXPECT_TRUE(reply.ok) << reply.text; }
-void expectIn(const std::string& text, const std::string& part) {
-  EXPECT_NE(text.find(part), std::string::npos) << text;
-}
-
-const link::JointState& joint(const link::FrameData& frame, std::uint32_t index) { return frame.joints[index]; }
-
-// Follows a joint frame by frame: how many cycles lie between its last command and its safe state. These are cycles of
-// the HAL, whatever time each of them takes on this machine.
-class Watcher {
- public:
-  Watcher(const link::Attachment& attachment, std::uint32_t joint)
-      : reader_(*attachment.state), joint_(joint), thread_([this] { watch(); }) {}
-  ~Watcher() {
-    done_ = true;
-    thread_.join();
-  }
-  bool sawCommand() const noexcept { return commanded_ != 0; }
-  bool sawSafe() const noexcept { return safe_ != 0; }
-  std::uint64_t cyclesToSafe() const noexcept { return safe_ - commanded_; }
-  bool sawAll() const noexcept { return !lost_; }  // since the last command
-
- private:
-  void watch() {
-    auto frame = std::make_unique<link::FrameData>();
-    while (!done_ && safe_ == 0) {
-      reader_.wait(link::now() + link::kMillisecond);
-      while (safe_ == 0 && reader_.next(*frame) == link::Read::kNew) look(*frame);
-    }
-  }
-  void look(const link::FrameData& frame) {
-    lost_ = lost_ || reader_.lost() != known_lost_;
-    known_lost_ = reader_.lost();
-    const auto control = static_cast<Control>(frame.joints[joint_].control);
-    if (control == Control::kCommanded) {
-      commanded_ = frame.cycle;
-      lost_ = false;
-    }
-    if (control == Control::kSafe) safe_ = frame.cycle;
-  }
-
-  link::StateReader reader_;
-  std::uint32_t joint_;
-  std::uint64_t known_lost_ = 0;
-  std::atomic<bool> lost_{false};
-  std::atomic<std::uint64_t> commanded_{0};
-  std::atomic<std::uint64_t> safe_{0};
-  std::atomic<bool> done_{false};
-  std::thread thread_;
-};
-
-// Whether the plugin commands its joint when it is started. A machine that is late twice makes the joint safe: then it
-// is started again.
-bool commands(RunningRobot& robot, const std::string& plugin, std::uint32_t index) {
-  return eventually([&] {
-    const auto control = static_cast<Control>(joint(*robot.frame(), index).control);
-    // One that fell in this moment is still being stopped.
-    if (control != Control::kCommanded) robot.ask("switch " + plugin + " 1");
-    return control == Control::kCommanded;
-  });
-}
-
-// Tells the bad plugin to misbehave; its host dies. That the good one misses no beat is shown where time is the test's
-// own: hal/answers_test.cpp.
-class Misbehaviour : public ::testing::TestWithParam<std::pair<const char*, const char*>> {
- protected:
-  // The bad plugin commands its joint, and the watcher has seen it; false where the machine was late each time.
-  static std::unique_ptr<Watcher> watched(RunningRobot& robot, const link::Attachment& attachment) {
-    std::unique_ptr<Watcher> watcher;
-    const bool seen = eventually([&] {
-      if (!commands(robot, "bad", 0)) return false;
-      watcher = std::make_unique<Watcher>(attachment, 0);
-      return eventually([&] { return watcher->sawCommand() || watcher->sawSafe(); }) && !watcher->sawSafe();
-    });
-    return seen ? std::move(watcher) : nullptr;
-  }
-};
-
-TEST_P(Misbehaviour, LosesItsHostAloneWhichComesBackWhileItsJointIsSafe) {
-  const auto [order, sentence] = GetParam();
-  RunningRobot robot(simulatedArm(kTwoHosts, kMisses));
-  expectOk(robot.ask("switch good 1"));
-  const auto board = robot.board();
-  const auto attachment = robot.attach();
-  const auto watcher = watched(robot, attachment);
-  ASSERT_TRUE(watcher) << robot.output();
-  robot.ask(std::string("command bad ") + order);
-  ASSERT_TRUE(eventually([&] { return watcher->sawSafe(); }));
-  if (watcher->sawAll()) {
-    EXPECT_LE(watcher->cyclesToSafe(), kMisses + 1U);  // the misses hold, and it is safe in the next cycle
-  }
-  ASSERT_TRUE(eventually([&] {
-    return robot.board()->host[0].respawns == 1 && robot.stateOf("bad") == PluginState::kStopped;
-  })) << robot.output();
-  expectIn(robot.errorOf("bad"), sentence);
-  EXPECT_EQ(joint(*robot.frame(), 0).control, static_cast<std::uint8_t>(Control::kSafe));
-  EXPECT_EQ(robot.board()->host[1].pid, board->host[1].pid);
-  EXPECT_EQ(robot.board()->hal_pid, board->hal_pid);
-  EXPECT_TRUE(commands(robot, "good", 3));
-  EXPECT_TRUE(commands(robot, "bad", 0));
-}
-
-INSTANTIATE_TEST_SUITE_P(Kinds, Misbehaviour,
-                         ::testing::Values(std::pair{"crash", "signal 11 (Segmentation fault) in the plugin bad."},
-                                           std::pair{"exit", "ended by itself with code 3 in the plugin bad."},
-                                           std::pair{"spin", "in the plugin bad."}),
-                         [](const auto& kind) { return std::string(kind.param.first); });
 
 TEST(Processes, AThrowingPluginFailsAloneAndCanBeReloaded) {
   RunningRobot robot(simulatedArm(kTwoHosts, kPatient));
