@@ -51,8 +51,9 @@ public final class Recordings {
    * @throws RecordingException if it cannot be read
    */
   public static boolean isOne(Path file) throws RecordingException {
-    if (FolderOpener.folder(file).isPresent() || Files.isDirectory(file)) {
-      return FolderOpener.folder(file).isPresent();
+    boolean folder = FolderOpener.folder(file).isPresent();
+    if (folder || Files.isDirectory(file)) {
+      return folder;
     }
     FileBytes bytes = FileBytes.open(file);
     try {

@@ -1,9 +1,8 @@
 package org.robotui.core.internal.time;
 
 import java.time.Duration;
-import java.util.Collection;
-import java.util.Collections;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicLong;
@@ -21,7 +20,9 @@ public final class RuicClock implements RobotClock {
   private final WallClock wall;
   private final Runnable jumped;
   private final AtomicLong epoch = new AtomicLong();
-  private final Map<String, RobotTime> times = Collections.synchronizedMap(new LinkedHashMap<>());
+  private final Map<String, RobotTime> times = new LinkedHashMap<>();
+  /** Of those above; views ask for ages of many values at each tick. */
+  private volatile List<RobotTime> all = List.of();
 
   /**
    * A clock without sources.
@@ -37,15 +38,17 @@ public final class RuicClock implements RobotClock {
   }
 
   /** The source of a robot interface; a new one in place of that of an earlier instance. */
-  public RobotTime source(String component) {
+  public synchronized RobotTime source(String component) {
     RobotTime time = new RobotTime(clock, wall, this::jump);
     times.put(component, time);
+    all = List.copyOf(times.values());
     return time;
   }
 
   /** A robot interface has ended: its time counts no more. */
-  public void forget(ClockSource source) {
+  public synchronized void forget(ClockSource source) {
     times.values().removeIf(t -> t == source);
+    all = List.copyOf(times.values());
   }
 
   /** What was known of the time is void: consumers get a reset. */
@@ -55,13 +58,13 @@ public final class RuicClock implements RobotClock {
 
   /** The stamps of a robot interface jumped back: what was learnt of its robot's clock is void as well. */
   public void jumpedBack(ClockSource source) {
-    all().stream().filter(t -> t == source).forEach(RobotTime::forgetOffset);
+    all.stream().filter(t -> t == source).forEach(RobotTime::forgetOffset);
     jump();
   }
 
   /** The user says that what was before counts no more. */
   public void forgetPast() {
-    all().forEach(RobotTime::forgetOffset);
+    all.forEach(RobotTime::forgetOffset);
     jump();
   }
 
@@ -88,7 +91,7 @@ public final class RuicClock implements RobotClock {
 
   @Override
   public Optional<Duration> offset() {
-    return all().stream()
+    return all.stream()
         .map(RobotTime::offsetNanos)
         .filter(o -> o.isPresent())
         .findFirst()
@@ -103,16 +106,10 @@ public final class RuicClock implements RobotClock {
   /** All recordings are played on one time. */
   @Override
   public long agingNanos(long nanos) {
-    return all().stream().filter(RobotTime::isReplayed).findFirst().map(time -> time.at(nanos)).orElse(nanos);
+    return all.stream().filter(RobotTime::isReplayed).findFirst().map(time -> time.at(nanos)).orElse(nanos);
   }
 
   private Optional<RobotTime> simulated() {
-    return all().stream().filter(RobotTime::isSimulated).findFirst();
-  }
-
-  private Collection<RobotTime> all() {
-    synchronized (times) {
-      return times.values().stream().toList();
-    }
+    return all.stream().filter(RobotTime::isSimulated).findFirst();
   }
 }

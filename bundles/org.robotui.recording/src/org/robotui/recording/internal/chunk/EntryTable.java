@@ -43,11 +43,14 @@ public final class EntryTable {
     lengths = Arrays.copyOf(lengths, larger);
   }
 
-  /** The same entries by other numbers of their channels. */
+  /** The same entries by other numbers of their channels; those of channels without one are left out. */
   EntryTable renumbered(Map<Integer, Integer> numbers) {
     EntryTable other = new EntryTable();
     for (int i = 0; i < size; i++) {
-      other.add(numbers.get(channels[i]), logTimes[i], publishTimes[i], sequences[i], froms[i], lengths[i]);
+      Integer number = numbers.get(channels[i]);
+      if (number != null) {
+        other.add(number, logTimes[i], publishTimes[i], sequences[i], froms[i], lengths[i]);
+      }
     }
     return other;
   }

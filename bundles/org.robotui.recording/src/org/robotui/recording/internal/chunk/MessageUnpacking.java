@@ -21,6 +21,10 @@ public final class MessageUnpacking {
     PackedBytes bytes = new PackedBytes(ROOM);
     EntryTable entries = new EntryTable();
     for (int i = 0; i < packed.size(); i++) {
+      Integer channel = numbers.get(packed.channel(i));
+      if (channel == null) {
+        continue;
+      }
       try {
         Decoded plain = plain(packed.data(i));
         int from = bytes.size();
@@ -28,7 +32,7 @@ public final class MessageUnpacking {
           throw new MalformedRecord("the messages around it are more than " + ChunkDecoder.MOST_BYTES + " bytes");
         }
         bytes.raw(plain.bytes(), 0, plain.length());
-        entries.add(numbers.get(packed.channel(i)), packed.logTime(i), packed.publishTime(i), packed.sequence(i), from,
+        entries.add(channel, packed.logTime(i), packed.publishTime(i), packed.sequence(i), from,
             plain.length());
       } catch (MalformedRecord e) {
         damages.add(0, "a message of " + packed.logTime(i) + " ns was left out: " + e.getMessage());

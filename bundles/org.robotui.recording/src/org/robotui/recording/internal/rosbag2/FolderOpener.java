@@ -70,7 +70,8 @@ public final class FolderOpener {
   public OpenedRecording open(Path folder, ScanProgress progress) throws RecordingException {
     DamageList damages = new DamageList();
     Optional<BagMetadata> metadata = metadata(folder, damages);
-    List<String> names = metadata.map(BagMetadata::files).filter(files -> !files.isEmpty()).orElse(names(folder));
+    List<String> described = metadata.map(BagMetadata::files).orElse(List.of());
+    List<String> names = described.isEmpty() ? names(folder) : described;
     List<OpenedRecording> parts = new ArrayList<>();
     boolean opened = false;
     try {
