@@ -4,7 +4,7 @@ readonly LOGS=$KEEP/logs
 readonly PRODUCTS=$ROOT/product/target/products
 readonly WINDOW_PRODUCT=$PRODUCTS/org.robotui.workbench.product/linux/gtk/x86_64
 readonly HEADLESS_PRODUCT=$PRODUCTS/org.robotui.headless.product/linux/gtk/x86_64
-readonly PRODUCT_TOOLS=(tools/{archive,control,desktop,install,java,launch,log,packages,record,run,say,simulator,stop,support,surroundings,use}.sh)
+readonly PRODUCT_TOOLS=(tools/{archive,bridge,control,desktop,install,java,launch,log,packages,record,run,say,simulator,stop,support,surroundings,use}.sh)
 readonly STAMP=$ROOT/product/target/robotui.stamp
 
 # Makes both products, unless they are those of the present sources.

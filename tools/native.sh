@@ -65,8 +65,12 @@ native_cmake() {
 
 # ---- kinds of HAL that are optional -------------------------------------------------------------------------------------
 
-# FILE TYPE: whether a configuration of a control names this type of HAL.
-names_hal() { grep -qsE "^[[:space:]]+type:[[:space:]]*[\"']?$2" "$1"; }
+# FILE TYPE: whether a configuration of a control names this type of HAL, or of model, in any of the ways of YAML: in a block or in braces, in
+# quotes or not, in the next line. Who says so of something else fetches what is not needed, and nothing worse.
+names_hal() {
+  [[ -r $1 ]] && sed -E 's/(^|[[:space:]])#.*//' "$1" | tr '\n' ' ' \
+    | grep -qiE "(^|[[:space:]{,])[\"']?(model_)?type[\"']?[[:space:]]*:[[:space:]]*[\"']?$2([\"',}[:space:]]|\$)"
+}
 
 need_hal_for() {
   need_mujoco_for "$1"
@@ -199,6 +203,18 @@ test_lint() {
   native_format
   say "Looking at the real-time side with clang-tidy"
   python3 "$NATIVE/tests/lint.py" "$NATIVE_BUILD" "$NATIVE/target/TEST-native-lint.xml" >&2 || broken="${broken:+$broken and }clang-tidy"
+}
+
+# ---- ./robotui new robot ------------------------------------------------------------------------------------------------
+
+cmd_new_robot() {
+  local folder made
+  [[ $# -gt 0 && $1 != -* ]] || usage_error "new robot needs the URDF of a robot: ./robotui new robot URDF [SRDF] [--in FOLDER]"
+  need_native
+  made=$("$NATIVE_BUILD/bin/robotui-rt-new" "$@") || exit $?
+  say "$made"
+  folder=$(sed -n '1s/^The robot .* is in \(.*\):$/\1/p' <<<"$made")
+  say "Run it:  ./robotui run $folder/robot.yaml    or without the workbench:  ./robotui rt $folder/rt-dummy.yaml"
 }
 
 # ---- ./robotui new ------------------------------------------------------------------------------------------------------

@@ -101,6 +101,22 @@ cmd_check() {
   run_application check -check "$config" "${live[@]}" "${reuse[@]}"
 }
 
+# What configurations can say, from the schemas that judge them.
+cmd_words() {
+  local options=()
+  while [[ $# -gt 0 ]]; do
+    case $1 in
+      --json) options+=(-json) ;;
+      -*) usage_error "words does not know '$1'" ;;
+      *) options+=("$1") ;;
+    esac
+    shift
+  done
+  need_product
+  trap end_everything EXIT
+  run_application check -words "${options[@]}"
+}
+
 cmd_new() {
   [[ ${1:-} == --* ]] || { cmd_new_sources "$@"; return; }
   local file='' options=()

@@ -5,18 +5,23 @@ readonly SIMULATOR_JVM=(-XX:+UseSerialGC -XX:TieredStopAtLevel=1 -Xmx128m)
 
 declare -rA SIMULATOR_FEATURES=(
   [org.robotui.sim]='RobotUI demo' [org.robotui.ros]='RobotUI for ROS 1' [org.robotui.ros2]='RobotUI for ROS 2' [org.robotui.player]='RobotUI for Player' [org.robotui.lcm]='RobotUI for LCM'
+  [org.robotui.carmen]='RobotUI for CARMEN'
+  [org.robotui.yarp]='RobotUI for YARP'
+  [org.robotui.smartsoft]='RobotUI for SmartSoft'
+  [org.robotui.roblets]='RobotUI for roblets'
+  [org.robotui.roboframe]='RobotUI for RoboFrame'
 )
 
 simulators=() simulator_dirs=() simulator_stays=
 declare -A simulator_variables=()
 
 # What one configuration asks for, a line with options for each robot. `simulator:` is `mobile-base`, `{robot: keira, speaks: player}`,
-# `{swarm: 50}`, or a list of these.
+# `{swarm: 50}`, `boat`, or a list of these.
 simulators_wanted() {
   awk -v config="$1" '
     function fail() {
-      print "robotui: " config ": \047simulator\047 has " word "; write mobile-base, {robot: natalie or keira, speaks: ros, ros2, player or lcm}," > "/dev/stderr"
-      print "  {robot: natalie, speaks: ros2, domain: 42}, {swarm: 50}, or a list of these" > "/dev/stderr"
+      print "robotui: " config ": \047simulator\047 has " word "; write mobile-base, {robot: natalie or keira, speaks: ros, ros2, player, lcm, carmen, yarp, smartsoft, roblets or roboframe}," > "/dev/stderr"
+      print "  {robot: natalie, speaks: ros2, domain: 42}, {swarm: 50}, boat, or a list of these" > "/dev/stderr"
       failed = 1
       exit 2
     }
@@ -32,7 +37,7 @@ simulators_wanted() {
         else if (part ~ /^domain:/) domain = " --domain " substr(part, 8)
         else speaks = substr(part, 8)
       }
-      if (robot !~ /^(natalie|keira)$/ || speaks !~ /^((ros2?|player|lcm)(,|$))+$/ || (domain != "" && speaks !~ /ros2/)) fail()
+      if (robot !~ /^(natalie|keira)$/ || speaks !~ /^((ros2?|player|lcm|carmen|yarp|smartsoft|roblets|roboframe)(,|$))+$/ || (domain != "" && speaks !~ /ros2/)) fail()
       return "--robot " robot " --speak " speaks domain
     }
     /^simulator:/ { on = 1; sub(/^simulator:/, "") }
@@ -45,6 +50,7 @@ simulators_wanted() {
         if (match(text, /^[-, \t]+/)) { text = substr(text, RLENGTH + 1); continue }
         word = text
         if (match(text, /^mobile-base/)) print "--robot natalie --speak ros"
+        else if (match(text, /^boat/)) print "--boat"
         else if (match(text, /^\{[^{}]*\}/)) { word = substr(text, 1, RLENGTH); print options(substr(text, 2, RLENGTH - 2)); match(text, /^\{[^{}]*\}/) }
         else fail()
         text = substr(text, RLENGTH + 1)
@@ -53,7 +59,7 @@ simulators_wanted() {
 }
 
 # Starts what the configurations ask for together. The first robot that speaks a framework is where the framework's own variables say
-# (ROS_MASTER_URI; ROS_DOMAIN_ID; PLAYER_HOST and PLAYER_PORT; LCM_DEFAULT_URL), the second where ROS_MASTER_URI_2 and so on say.
+# (ROS_MASTER_URI; ROS_DOMAIN_ID; PLAYER_HOST and PLAYER_PORT; LCM_DEFAULT_URL; CENTRALHOST; YARP_NAMESERVER; SMART_NS_ADDR; ROBLETS_BRAIN; ROBOFRAME_ADDR), the second where ROS_MASTER_URI_2 and so on say.
 start_simulators() {
   local stay=$1 config wanted line number options=()
   shift
@@ -100,10 +106,11 @@ start_simulator() {
 need_simulator() {
   local bundle word wanted=(org.robotui.sim) words=()
   [[ $1 != *--swarm* ]] || wanted+=(org.robotui.ros)
+  [[ $1 != *--boat* ]] || wanted+=(org.robotui.roblets)
   read -ra words <<<"${1//,/ }"
   for word in "${words[@]}"; do
     case $word in
-      ros | ros2 | player | lcm) wanted+=("org.robotui.$word") ;;
+      ros | ros2 | player | lcm | carmen | yarp | smartsoft | roblets | roboframe) wanted+=("org.robotui.$word") ;;
     esac
   done
   for bundle in "${wanted[@]}"; do
@@ -114,7 +121,8 @@ need_simulator() {
 # The simulator needs no OSGi: the same bundles are plain jars.
 simulator_classpath() {
   local bundle jars=()
-  for bundle in org.robotui.sim org.robotui.ros org.robotui.ros2 org.robotui.rtps org.robotui.message org.robotui.player org.robotui.lcm org.robotui.net org.robotui.geometry \
+  for bundle in org.robotui.sim org.robotui.ros org.robotui.ros2 org.robotui.rtps org.robotui.message org.robotui.player org.robotui.lcm org.robotui.carmen org.robotui.net org.robotui.geometry \
+    org.robotui.yarp org.robotui.smartsoft org.robotui.roblets org.robotui.roboframe \
     slf4j.api; do
     jars+=("$(jar_of "$bundle")")
   done
@@ -171,6 +179,26 @@ tell_simulator() {
       say_simulator "$number" "$count" LCM lcm-spy "$variable"
       [[ $value != tcpq:* ]] || say "  (Multicast does not work on this machine, so messages go through a server of the robot.)"
       say "  export LCM_DEFAULT_URL='$value'"
+      ;;
+    CENTRALHOST)
+      say_simulator "$number" "$count" CARMEN robotgui "$variable"
+      say "  export CENTRALHOST=$value"
+      ;;
+    YARP_NAMESERVER)
+      say_simulator "$number" "$count" YARP yarp "$variable"
+      say "  yarp conf ${value/:/ }"
+      ;;
+    SMART_NS_ADDR)
+      say_simulator "$number" "$count" SmartSoft components "$variable"
+      say "  export SMART_NS_ADDR=$value"
+      ;;
+    ROBLETS_BRAIN)
+      say_simulator "$number" "$count" roblets roblets "$variable"
+      say "  export ROBLETS_BRAIN=$value"
+      ;;
+    ROBOFRAME_ADDR)
+      say_simulator "$number" "$count" RoboFrame applications "$variable"
+      say "  export ROBOFRAME_ADDR=$value"
       ;;
   esac
 }

@@ -63,7 +63,7 @@ test_with_maven() {
     osgi)         arguments+=(-pl "!:org.robotui.product" -Dskip.unit=true -Dskip.architecture=true) ;;
   esac
   say "Building and testing ($1)"
-  three_at_a_time arguments
+  four_at_a_time arguments
   rm -f "$ENDED_JAVAS"
   maven "$LOGS/test.log" verify "${arguments[@]}" || { broken="the build"; say_ended_javas; return 0; }
   # The end-to-end tests run the products that this has made.
@@ -79,12 +79,12 @@ say_ended_javas() {
   done
 }
 
-# Three bundles at a time, as their tests wait most of their time, where each can have a display of its own: docs/adr/0138-tests-run-two-at-a-time.md.
-three_at_a_time() {
+# Four bundles at a time, as their tests wait most of their time, where each can have a display of its own: docs/adr/0138-tests-run-two-at-a-time.md.
+four_at_a_time() {
   local -n more=$1
   [[ -n ${display_processes[*]-} ]] || return 0
   start_more_displays
-  maven_threads=3
+  maven_threads=4
   export ROBOTUI_TEST_JDK=$JAVA_HOME
   more+=(-Djvm="$ROOT/tools/unit-tests/bin/java")
 }
@@ -135,12 +135,12 @@ start_display() {
   start_session_bus "$out"
 }
 
-# Three more, for tests that run side by side: on one display they would take the focus from the windows of each other.
+# Four more, for tests that run side by side: on one display they would take the focus from the windows of each other.
 start_more_displays() {
   [[ -z ${ROBOTUI_TEST_DISPLAYS:-} ]] || return 0
   local first=$DISPLAY bus=${DBUS_SESSION_BUS_ADDRESS:-} number
   export ROBOTUI_TEST_DISPLAYS='' ROBOTUI_TEST_BUSES=''
-  for number in 2 3 4; do
+  for number in 2 3 4 5; do
     start_display "$number"
     ROBOTUI_TEST_DISPLAYS+=" $DISPLAY"
     ROBOTUI_TEST_BUSES+=" ${DBUS_SESSION_BUS_ADDRESS:-}"

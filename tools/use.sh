@@ -23,6 +23,8 @@ help_use() {
   ./robotui check CONFIG        print every connection made, refused, pending or ambiguous, and why
       --live                    ask the running robots what they have (else no robot is asked)
       --reuse md|csv            also print which bundles are used by which robot UI, as a table
+  ./robotui words [TYPE...]     print what a configuration can say of a robot interface, a view or a robot UI (such as ros or map), and of safety, with
+                                what is usual; without TYPE, which types there are.  --json  a JSON line for each
   ./robotui support [FILE]      write what somebody needs who helps into a zip that only you can read: logs, configurations, versions, threads of what
                                 runs, with secrets masked; it says what is in it.  --config CONFIG  also this configuration
   ./robotui new --rfic TYPE --name NAME FILE   write the configuration of a robot from what it offers, and say why; FILE is new, or added to

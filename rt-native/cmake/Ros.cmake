@@ -22,11 +22,13 @@ if(RT_ROS)
 endif()
 
 # rt_ros_generate(PACKAGE FILE GENERATOR OUTPUT EXTRA...): one file made from FILE by a generator of ROS.
+# RT_ROS_INCLUDED are packages of our definitions that it may name, beside its own and std_msgs.
 function(rt_ros_generate package file generator output)
+  list(TRANSFORM RT_ROS_INCLUDED REPLACE "(.+)" "-I\\1:${RT_ROS_DEFINITIONS}/\\1" OUTPUT_VARIABLE included)
   get_filename_component(folder ${output} DIRECTORY)
   add_custom_command(OUTPUT ${output} DEPENDS ${file}
     COMMAND ${CMAKE_COMMAND} -E make_directory ${folder}
-    COMMAND ${RT_ROS_PYTHON} ${generator} ${file} -I${package}:${RT_ROS_SOURCE_${package}} -Istd_msgs:${RT_ROS_DEFINITIONS}/std_msgs -p ${package}
+    COMMAND ${RT_ROS_PYTHON} ${generator} ${file} -I${package}:${RT_ROS_SOURCE_${package}} -Istd_msgs:${RT_ROS_DEFINITIONS}/std_msgs ${included} -p ${package}
             -o ${folder} ${ARGN}
     COMMENT "Generating ${output}" VERBATIM)
 endfunction()

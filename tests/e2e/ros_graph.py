@@ -73,9 +73,9 @@ def same_motion(phase):
     same_steps(phase, SPEED / RATE)
 
 
-def unharmed(phases, slack=0.5 / RATE):
+def unharmed(phases):
     for phase in phases:
-        same_rhythm(phase, phases[0], slack)
+        same_rhythm(phase, phases[0])
         same_motion(phase)
         assert without_ours(phase["state"]) == phases[0]["state"], phase["name"]
 

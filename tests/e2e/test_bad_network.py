@@ -12,9 +12,10 @@ from network import network, start_robot    # noqa: F401 (a fixture)
 
 HEAR = pathlib.Path(__file__).parent / "peers" / "commands.py"
 DELAY, LOSS = 0.05, 0.02
-# What is on its way when an outage begins cannot be called back: four packets of one command, and one packet full of them
-# (1448 bytes of 52 each) where they had to wait for their turn. Without a bound it would be all: twenty a second.
-ON_ITS_WAY = 4 + 1 + 1448 // 52
+# What is on its way when an outage begins cannot be called back: packets of one command, eight where one of them was just lost and is
+# waited for, and one packet full of them (1448 bytes of 52 each, with the parts of two more at its ends) where they had to wait for
+# their turn. Without a bound it would be all of a long outage: twenty a second, eighty and more.
+ON_ITS_WAY = 8 + 1448 // 52 + 2
 SHORT, LONG = 1.0, 4.0
 OLD = 0.5
 HOLDS = 0.5         # the robot obeys a command for so long

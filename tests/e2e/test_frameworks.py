@@ -56,10 +56,10 @@ def recorded(log, channels):
     return data if all(channel in data for channel in channels) else None
 
 
-@pytest.mark.parametrize("wrong", ["roomba", "{robot: otto}", "{robot: keira, speaks: yarp}", "{robot: keira, speaks: player, domain: 3}", "[mobile-base, {robot keira}]"])
+@pytest.mark.parametrize("wrong", ["roomba", "{robot: otto}", "{robot: keira, speaks: corba}", "{robot: keira, speaks: player, domain: 3}", "[mobile-base, {robot keira}]"])
 def test_a_wrong_simulator_is_named(environment, tmp_path, wrong):
     config = tmp_path / "wrong.yaml"
     config.write_text(f"simulator: {wrong}\nruics: {{}}\n")
     result = subprocess.run([ROOT / "robotui", "run", "--json", str(config)], env=environment, capture_output=True, text=True, timeout=60, check=False)
     assert result.returncode == 2
-    assert "wrong.yaml: 'simulator' has" in result.stderr and "{robot: natalie or keira, speaks: ros, ros2, player or lcm}" in result.stderr
+    assert "wrong.yaml: 'simulator' has" in result.stderr and "{robot: natalie or keira, speaks: ros, ros2, player, lcm, carmen, yarp, smartsoft, roblets or roboframe}" in result.stderr

@@ -12,7 +12,7 @@ TITLE_HEIGHT = 30
 MOBILE_BASE = ({"main": ("map", "scene3d", "tftree", "graph", "topics", "parameters", "services", "actions"),
                 "records": ("plot", "log", "diagnostics", "joints", "gps", "alerts")},
                {"camera": ("camera",), "teleop": ("teleop",), "state": ("status", "connections")})
-MANIPULATOR = ({"joints": ("jointcontrol", "tftree"), "records": ("scene3d", "plot", "log", "alerts")},
+MANIPULATOR = ({"joints": ("jointcontrol", "postures", "tftree"), "records": ("scene3d", "plot", "log", "alerts")},
                {"plugins": ("plugins",), "state": ("status", "connections")})
 STACKS = {name: views for column in MOBILE_BASE for name, views in column.items()}
 

@@ -1,6 +1,7 @@
 // Where the three files of a robot were asked for, for errors.
 #pragma once
 
+#include "joint_limits.h"
 #include "robotui/rt/config/config.h"
 #include "urdf.h"
 
@@ -17,7 +18,7 @@ struct RobotFiles {
   RobotFile joint_map;
 };
 
-RobotDescription describe(const RobotFiles& files, bool floating_base, NegativeInertia inertia,
-                          std::vector<std::string>& warnings);
+RobotDescription describe(const RobotFiles& files, const JointLimits& limits, bool floating_base,
+                          NegativeInertia inertia, std::vector<std::string>& warnings);
 
 }  // namespace robotui::rt::config

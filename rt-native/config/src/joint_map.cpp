@@ -6,7 +6,6 @@
 
 #include "robotui/rt/config/reader.h"
 #include "robotui/rt/link/layout.h"
-#include "yaml_file.h"
 
 namespace robotui::rt::config {
 namespace {
@@ -38,12 +37,13 @@ void mustBeCommandable(const UrdfJoint& joint, const Reader& value) {
 
 void mustHaveLimits(const UrdfJoint& joint) {
   const std::string the = "the joint '" + joint.name + "' ";
-  if (!joint.has_limit || joint.velocity <= 0 || joint.effort <= 0) {
+  if (joint.velocity <= 0 || joint.effort <= 0) {
     throw ConfigError(
         joint.place,
         the +
             "is in the joint map but has no limits of velocity and effort above zero; write <limit lower=\"-1\" "
-            "upper=\"1\" velocity=\"2\" effort=\"50\"/>");
+            "upper=\"1\" velocity=\"2\" effort=\"50\"/>, or JointLimits: {" +
+            joint.name + ": {velocity: 2, effort: 50}} in the configuration");
   }
   if (joint.type != "continuous" && (!joint.has_range || joint.lower >= joint.upper)) {
     throw ConfigError(joint.place, the +
@@ -61,7 +61,9 @@ JointDescription describeJoint(int id, const UrdfJoint& joint) {
           endless ? -kInfinite : joint.lower,
           endless ? kInfinite : joint.upper,
           joint.velocity,
-          joint.effort};
+          joint.effort,
+          joint.acceleration > 0 ? joint.acceleration : kInfinite,
+          joint.jerk > 0 ? joint.jerk : kInfinite};
 }
 
 void mustBeNew(const std::vector<JointDescription>& joints, int id, const std::string& name, const Reader& value) {
@@ -75,7 +77,8 @@ void mustBeNew(const std::vector<JointDescription>& joints, int id, const std::s
 
 }  // namespace
 
-std::vector<JointDescription> readJointMap(const std::filesystem::path& file, const Place& wanted, const Urdf& urdf) {
+std::vector<JointDescription> readJointMap(const std::filesystem::path& file, const Place& wanted, const Urdf& urdf,
+                                           const JointLimits& limits) {
   const Reader top = readYamlFile(file, wanted, "the joint map");
   std::vector<JointDescription> joints;
   for (const auto& [key, value] : top.at("joint_map", "joint_map: {1: name_of_a_joint, 2: ...}").entries()) {
@@ -87,13 +90,15 @@ std::vector<JointDescription> readJointMap(const std::filesystem::path& file, co
     }
     mustBeCommandable(*joint, value);
     mustBeNew(joints, id, name, value);
-    mustHaveLimits(*joint);
+    const UrdfJoint limited = limits.appliedTo(*joint);
+    mustHaveLimits(limited);
     if (name.size() >= link::kNameLength) value.fail("is '" + name + "', which is longer than 63 bytes");
-    joints.push_back(describeJoint(id, *joint));
+    joints.push_back(describeJoint(id, limited));
   }
   if (joints.empty()) top.fail("joint_map is empty; write joint_map: {1: name_of_a_joint, 2: ...}");
   if (joints.size() > link::kMaxJoints)
     top.fail("joint_map has more than " + std::to_string(link::kMaxJoints) + " joints");
+  limits.mustName(joints);
   std::sort(joints.begin(), joints.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
   return joints;
 }

@@ -1,6 +1,5 @@
 #include "blocks.h"
 #include "describe.h"
-#include "yaml_file.h"
 
 namespace robotui::rt::config {
 namespace {
@@ -65,7 +64,9 @@ void readModel(const Reader& top, const RobotFiles& files, RtConfig& config) {
     const auto negative = block->find("negative_inertia");
     if (negative && negative->oneOf({"refuse", "keep"}) == "keep") inertia = NegativeInertia::kKeep;
   }
-  config.robot = describe(files, floating_base, inertia, config.warnings);
+  const auto limits = top.find("JointLimits");
+  config.robot =
+      describe(files, limits ? JointLimits(*limits) : JointLimits(), floating_base, inertia, config.warnings);
 }
 
 void readMaster(const Reader& top, RtConfig& config) {
@@ -93,7 +94,7 @@ RtConfig load(const std::filesystem::path& file, const Overrides& overrides) {
   const Reader top = readYamlFile(config.file, {}, "the configuration");
   top.knows({"XBotInterface", "x_bot_interface", "RobotInterface", "ModelInterface", "MasterCommunicationInterface",
              "XBotRTPlugins", "NRTPlugins", "HALInterface", "RobotName", "SimulationOptions", "xbotcore_threads",
-             "xbotcore_plugins"},
+             "xbotcore_plugins", "JointLimits"},
             config.warnings);
   const RobotFiles files = readFiles(top, config.warnings);
   readModel(top, files, config);

@@ -21,6 +21,8 @@ void readLimit(const XmlFile& xml, const Element& element, UrdfJoint& joint) {
   joint.upper = xml.numberOr(**limit, "upper", 0);
   joint.velocity = xml.numberOr(**limit, "velocity", 0);
   joint.effort = xml.numberOr(**limit, "effort", 0);
+  joint.acceleration = xml.numberOr(**limit, "acceleration", 0);
+  joint.jerk = xml.numberOr(**limit, "jerk", 0);
 }
 
 std::string linkOf(const XmlFile& xml, const Element& joint, const char* side) {

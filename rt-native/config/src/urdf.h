@@ -21,6 +21,8 @@ struct UrdfJoint {
   double upper = 0;
   double velocity = 0;
   double effort = 0;
+  double acceleration = 0;  // as all limits: zero where the URDF has none
+  double jerk = 0;
   Place place;
 
   bool moves() const { return type != "fixed"; }

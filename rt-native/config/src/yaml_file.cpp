@@ -1,4 +1,4 @@
-#include "yaml_file.h"
+#include "robotui/rt/config/reader.h"
 
 #include "text_file.h"
 

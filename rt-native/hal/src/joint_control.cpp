@@ -1,6 +1,7 @@
 #include "joint_control.h"
 
 #include <cmath>
+#include <utility>
 
 namespace robotui::rt::hal {
 
@@ -10,7 +11,10 @@ constexpr std::uint8_t kLeading = link::kPosition | link::kVelocity | link::kEff
 
 }  // namespace
 
-void JointControl::anchor(const link::JointState& measured) noexcept { reference_.position = measured.link_position; }
+void JointControl::anchor(const link::JointState& measured) noexcept {
+  reference_.position = measured.link_position;
+  limiter_.reset(reference_.position);
+}
 
 // What was owned before this HAL began was moved by somebody: it must not go on by itself.
 bool JointControl::belongs(std::uint16_t owner, std::uint32_t grant, const link::JointState& measured) noexcept {
@@ -46,7 +50,7 @@ JointControl::Outcome JointControl::command(const link::JointCommand& command, b
   if ((command.mode & link::kEffort) != 0) wanted.effort = command.effort;
   if ((command.mode & link::kStiffness) != 0) wanted.stiffness = command.stiffness;
   if ((command.mode & link::kDamping) != 0) wanted.damping = command.damping;
-  send(wanted);
+  send(wanted, is_new);
   control_ = link::Control::kCommanded;
   return Outcome::kObeyed;
 }
@@ -57,11 +61,55 @@ double JointControl::followingError(const link::JointState& measured) const noex
 }
 
 // References of modes that do not count are zero, so that a later command starts from there.
-void JointControl::send(Reference wanted) noexcept {
-  if (limits_.apply(wanted, reference_)) ++clamped_;
+void JointControl::send(Reference wanted, bool is_new) noexcept {
+  const bool is_led = limiter_.isActive() && (wanted.mode & (link::kPosition | link::kVelocity)) != 0;
+  const bool is_due = isDue(is_new);
+  if (is_led ? lead(wanted, is_new, is_due) : limit(wanted, is_due)) ++clamped_;
+  if (limiter_.isActive() && !is_led) limiter_.reset(reference_.position);
   if ((wanted.mode & link::kVelocity) == 0) wanted.velocity = 0;
   if ((wanted.mode & link::kEffort) == 0) wanted.effort = 0;
   reference_ = wanted;
+}
+
+// The reference of a thread that is slower than the HAL has until its next answer to come to what was wanted: one that
+// only lags behind until then was not cut.
+bool JointControl::isDue(bool is_new) noexcept {
+  if (is_new) answers_every_ = std::exchange(since_answer_, 0);
+  return ++since_answer_ >= answers_every_;
+}
+
+bool JointControl::limit(Reference& wanted, bool is_due) noexcept {
+  const bool is_beyond = limits_.applyAtOnce(wanted);
+  const bool lags = limits_.applyStep(wanted, reference_);
+  return is_beyond || (lags && is_due);
+}
+
+// By position, or by velocity where there is none; the velocity that comes with a position is that of what it is led
+// by.
+bool JointControl::lead(Reference& wanted, bool is_new, bool is_due) noexcept {
+  bool different = limits_.applyAtOnce(wanted);
+  const bool was_by_velocity = (reference_.mode & link::kPosition) == 0;
+  if ((wanted.mode & link::kPosition) != 0 && was_by_velocity) limiter_.reset(reference_.position);
+  if ((wanted.mode & link::kPosition) != 0) {
+    const double before = wanted.position;
+    wanted.position = limiter_.follow(wanted.position, is_new);
+    different |= limiter_.isBehind();
+    if (wanted.position != before && (wanted.mode & link::kVelocity) != 0) wanted.velocity = limiter_.velocity();
+  } else {
+    wanted.velocity = limiter_.followVelocity(wanted.velocity);
+    different |= is_due && limiter_.isBehind();
+  }
+  return different;
+}
+
+// Comes to rest within its limits, rather than at once.
+void JointControl::brake(Reference& wanted) noexcept {
+  if ((wanted.mode & link::kPosition) != 0)
+    wanted.position = limiter_.brake();
+  else if ((wanted.mode & link::kVelocity) != 0)
+    wanted.velocity = limiter_.followVelocity(0);
+  if ((wanted.mode & (link::kPosition | link::kVelocity)) == (link::kPosition | link::kVelocity))
+    wanted.velocity = limiter_.velocity();
 }
 
 // Not counted as clamped: nobody asked for more.
@@ -70,14 +118,18 @@ void JointControl::hold(link::Control why, double safe_effort) noexcept {
   wanted.velocity = 0;
   wanted.effort = safe_effort;
   const double position = wanted.position;
-  limits_.apply(wanted, reference_);
+  limits_.applyAtOnce(wanted);
+  limits_.applyStep(wanted, reference_);
   wanted.position = position;  // also where it stands outside its limits
+  if (limiter_.isActive()) brake(wanted);
   if ((wanted.mode & link::kEffort) == 0) wanted.effort = 0;
   reference_ = wanted;
   control_ = why;
 }
 
-bool JointControl::isAtRest() const noexcept { return reference_.velocity == 0; }
+bool JointControl::isAtRest() const noexcept {
+  return reference_.velocity == 0 && (!limiter_.isActive() || limiter_.isAtRest());
+}
 
 void JointControl::describe(link::JointState& into) const noexcept {
   into.position_reference = reference_.position;

@@ -2,13 +2,15 @@
 #pragma once
 
 #include "joint_limits.h"
+#include "reference_limiter.h"
 #include "robotui/rt/link/layout.h"
 
 namespace robotui::rt::hal {
 
 class JointControl {
  public:
-  JointControl(const config::JointDescription& joint, double period_s) noexcept : limits_(joint, period_s) {}
+  JointControl(const config::JointDescription& joint, double period_s) noexcept
+      : limits_(joint, period_s), limiter_(joint, period_s) {}
 
   // The position reference is what is measured, from which all goes on: at the first sense, and after the hardware was
   // away.
@@ -51,12 +53,19 @@ class JointControl {
   void describe(link::JointState& into) const noexcept;
 
  private:
-  void send(Reference wanted) noexcept;
+  void send(Reference wanted, bool is_new) noexcept;
+  bool isDue(bool is_new) noexcept;
+  bool lead(Reference& wanted, bool is_new, bool is_due) noexcept;
+  bool limit(Reference& wanted, bool is_due) noexcept;
+  void brake(Reference& wanted) noexcept;
 
   Limits limits_;
+  ReferenceLimiter limiter_;
   Reference reference_{0, 0, 0, 0, 0, link::kPosition};
   std::uint32_t grant_ = 0;
   std::uint32_t clamped_ = 0;
+  std::uint32_t answers_every_ = 0;  // cycles from one answer of its plugin to the next
+  std::uint32_t since_answer_ = 0;
   std::uint32_t rejected_ = 0;
   std::uint32_t rejected_in_turn_ = 0;
   link::Objection objection_ = link::Objection::kNone;

@@ -41,19 +41,22 @@ Limits::Limits(const config::JointDescription& joint, double period_s) noexcept
     : lower_(joint.lower), upper_(joint.upper), velocity_(joint.velocity), effort_(joint.effort),
       position_step_(joint.velocity * period_s), velocity_step_(joint.velocity * period_s / kTimeToFullVelocity) {}
 
-// The step comes last: a joint that stands outside its limits goes in slowly. Infinite limits cut nothing.
-bool Limits::apply(Reference& wanted, const Reference& last) const noexcept {
+bool Limits::applyAtOnce(Reference& wanted) const noexcept {
   bool different = false;
-  if (has(wanted.mode, link::kPosition)) {
-    different |= cut(wanted.position, lower_, upper_);
-    different |= cut(wanted.position, last.position - position_step_, last.position + position_step_);
-  }
-  if (has(wanted.mode, link::kVelocity)) {
-    different |= cut(wanted.velocity, -velocity_, velocity_);
-    const bool leads = !has(wanted.mode, link::kPosition);  // else it is the derivative that comes with a position
-    if (leads) different |= cut(wanted.velocity, last.velocity - velocity_step_, last.velocity + velocity_step_);
-  }
+  if (has(wanted.mode, link::kPosition)) different |= cut(wanted.position, lower_, upper_);
+  if (has(wanted.mode, link::kVelocity)) different |= cut(wanted.velocity, -velocity_, velocity_);
   if (has(wanted.mode, link::kEffort)) different |= cut(wanted.effort, -effort_, effort_);
+  return different;
+}
+
+// The step comes last: a joint that stands outside its limits goes in slowly. Infinite limits cut nothing.
+bool Limits::applyStep(Reference& wanted, const Reference& last) const noexcept {
+  bool different = false;
+  if (has(wanted.mode, link::kPosition))
+    different |= cut(wanted.position, last.position - position_step_, last.position + position_step_);
+  const bool leads = !has(wanted.mode, link::kPosition);  // else it is the derivative that comes with a position
+  if (has(wanted.mode, link::kVelocity) && leads)
+    different |= cut(wanted.velocity, last.velocity - velocity_step_, last.velocity + velocity_step_);
   return different;
 }
 

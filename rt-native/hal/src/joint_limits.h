@@ -16,8 +16,10 @@ class Limits {
  public:
   Limits(const config::JointDescription& joint, double period_s) noexcept;
 
-  // Cuts what is wanted, in place; true where something was cut.
-  bool apply(Reference& wanted, const Reference& last) const noexcept;
+  // Cuts what is wanted, in place; true where something was cut: what is beyond the joint's range, and then what is too
+  // far from the last reference for one cycle.
+  bool applyAtOnce(Reference& wanted) const noexcept;
+  bool applyStep(Reference& wanted, const Reference& last) const noexcept;
 
   double effort() const noexcept { return effort_; }
 

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <iostream>
 
+#include "follow_trajectory.h"
 #include "robot_topics.h"
 #include "master_watch.h"
 #include "plugin_ports.h"
@@ -18,6 +19,8 @@ namespace {
 namespace config = robotui::rt::config;
 namespace link = robotui::rt::link;
 using namespace robotui::rt::ros_bridge;
+using robotui::rt::ChannelDirectory;
+using robotui::rt::ChannelSegment;
 
 constexpr std::uint32_t kServiceThreads = 4;
 constexpr rlim_t kMostMemory = rlim_t{4} << 30;  // ROS believes the length that a message says of itself
@@ -93,7 +96,7 @@ class BridgeProcess {
         transforms_(config_.robot), supervision_(supervision),
         period_ns_(std::chrono::nanoseconds(options.communication.period).count()),
         name_(options.name.empty() ? config_.robot.name : options.name), robot_(name_, config_.robot.joints.size()),
-        requests_(name_), spinner_(kServiceThreads, &services_) {}
+        requests_(name_), channels_(channelsOf(supervision)), spinner_(kServiceThreads, &services_) {}
 
   void run() {
     spinner_.start();
@@ -121,11 +124,30 @@ class BridgeProcess {
     const LogFunction log = [this](const char* level, const std::string& line) {
       supervision_.say(level, "ROS: " + line);
     };
+    actions_.clear();
     ports_.reset();
     topics_.reset();
     topics_ = std::make_unique<RobotTopics>(config_, plan_, transforms_, robot_, requests_, services_, log);
-    ports_ = std::make_unique<PluginPorts>(supervision_.own(), supervision_.hosts(), plan_, services_, log);
+    ports_ = std::make_unique<PluginPorts>(channels_.get(), plan_, services_, log);
+    offerActions(log);
     log("info", "registered with the master at " + ros::master::getURI() + ".");
+  }
+
+  // One whose trajectory is followed goes on: only its client does not hear of it any more.
+  void offerActions(const LogFunction& log) {
+    std::vector<std::string> joints;
+    for (const auto& joint : config_.robot.joints) joints.push_back(joint.name);
+    for (const auto& each : plan_.plugins) {
+      if (channels_ == nullptr || each.plugin.type != "JointTrajectory") continue;
+      actions_.push_back(std::make_unique<FollowTrajectory>(each.plugin.name, name_, joints, *channels_, log));
+    }
+  }
+
+  static std::unique_ptr<ChannelDirectory> channelsOf(const Supervision& supervision) {
+    if (supervision.own() == nullptr) return nullptr;
+    std::vector<const ChannelSegment*> all = supervision.hosts();
+    all.push_back(supervision.own());
+    return std::make_unique<ChannelDirectory>(*supervision.own(), std::move(all));
   }
 
   config::RtConfig config_;
@@ -136,10 +158,12 @@ class BridgeProcess {
   std::string name_;
   Robot robot_;
   Requests requests_;
+  std::unique_ptr<ChannelDirectory> channels_;
   ros::CallbackQueue services_;
   ros::AsyncSpinner spinner_;
   std::unique_ptr<RobotTopics> topics_;
   std::unique_ptr<PluginPorts> ports_;
+  std::vector<std::unique_ptr<FollowTrajectory>> actions_;
 };
 
 int work(int argc, char** argv) {

@@ -8,12 +8,6 @@ namespace {
 
 constexpr std::int64_t kLookEvery = 100 * link::kMillisecond;
 
-std::unique_ptr<ChannelDirectory> directoryOf(ChannelSegment* own, std::vector<const ChannelSegment*> hosts) {
-  if (own == nullptr) return nullptr;
-  hosts.push_back(own);
-  return std::make_unique<ChannelDirectory>(*own, std::move(hosts));
-}
-
 }  // namespace
 
 std::string PortPlace::topic(const std::string& name) const {
@@ -21,9 +15,9 @@ std::string PortPlace::topic(const std::string& name) const {
   return "/xbotcore/" + rosName(plugin) + (name.empty() ? "" : "/" + name);
 }
 
-PluginPorts::PluginPorts(ChannelSegment* own, std::vector<const ChannelSegment*> hosts, const config::Plan& plan,
-                         ::ros::CallbackQueue& queue, LogFunction log)
-    : channels_(directoryOf(own, std::move(hosts))), queue_(queue), log_(std::move(log)) {
+PluginPorts::PluginPorts(ChannelDirectory* channels, const config::Plan& plan, ::ros::CallbackQueue& queue,
+                         LogFunction log)
+    : channels_(channels), queue_(queue), log_(std::move(log)) {
   for (const auto& each : plan.plugins) plugins_[each.plugin.name];
 }
 

@@ -39,9 +39,8 @@ std::unique_ptr<Port> makePort(const ros::Announcement& announcement, const Port
 
 class PluginPorts {
  public:
-  // Without an own segment (nobody started us) there are none.
-  PluginPorts(ChannelSegment* own, std::vector<const ChannelSegment*> hosts, const config::Plan& plan,
-              ::ros::CallbackQueue& queue, LogFunction log);
+  // Without channels (nobody started us) there are none. They outlive it.
+  PluginPorts(ChannelDirectory* channels, const config::Plan& plan, ::ros::CallbackQueue& queue, LogFunction log);
 
   void turn();
 
@@ -57,7 +56,7 @@ class PluginPorts {
   bool refuse(const std::string& objection);
   void offer(const std::string& plugin, Place& place, std::size_t index, const ros::Announcement& announcement);
 
-  std::unique_ptr<ChannelDirectory> channels_;
+  ChannelDirectory* channels_;
   std::map<std::string, std::vector<Place>> plugins_;
   ::ros::CallbackQueue& queue_;
   LogFunction log_;

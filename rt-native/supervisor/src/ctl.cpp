@@ -13,6 +13,8 @@
 #include <thread>
 
 #include "ctl_table.h"
+#include "ctl_trace.h"
+#include "ctl_trajectory.h"
 #include "robotui/rt/link/board.h"
 #include "robotui/rt/link/state.h"
 
@@ -26,6 +28,8 @@ constexpr Client::Milliseconds kConnect{5000};
 constexpr Client::Milliseconds kReply{5000};
 constexpr Client::Milliseconds kReload{70000};
 constexpr std::chrono::milliseconds kReferencePeriod{10};
+constexpr double kTraceSeconds = 10;
+constexpr double kLongestTrace = 600;
 
 constexpr const char* kUsage = R"(robotui-rt-ctl [--name NAME] COMMAND
   list                         the plugins, their states and errors
@@ -35,6 +39,8 @@ constexpr const char* kUsage = R"(robotui-rt-ctl [--name NAME] COMMAND
   switch PLUGIN 1|0            start or stop a plugin
   status PLUGIN                what it says about itself
   command PLUGIN WORDS...      tell it something
+  trajectory FILE [PLUGIN]     take joints along the points of a file, and wait for the end (docs/rt-trajectories.md); PLUGIN is JointTrajectory
+  trace [FILE] [--for SECONDS] what the loops do, cycle by cycle, as a file for Perfetto (docs/rt-tracing.md); trace.json and 10 s where nothing is said
   reload PLUGIN                load its library and its parameters anew
   reference JOINT=POSITION... [--for SECONDS]
                                command joints as the master framework (the communication plugin must run)
@@ -256,6 +262,13 @@ int work(const Call& call) {
     std::cout << loopTable(client.attach(kReply));
   } else if (call.command == "watch") {
     return watch(client, call.words.empty() ? 1e9 : numberOf(call.words.front(), "watch"));
+  } else if (call.command == "trajectory") {
+    if (call.words.empty()) throw Wrong("trajectory needs a file of points, such as trajectory wave.yaml");
+    return runTrajectory(client, call.words.size() > 1 ? call.words[1] : "JointTrajectory", call.words.front());
+  } else if (call.command == "trace") {
+    if (call.seconds > kLongestTrace) throw Wrong("A trace is of at most 600 seconds.");
+    return traceCycles(client, call.words.empty() ? "trace.json" : call.words.front(),
+                       call.seconds > 0 ? call.seconds : kTraceSeconds);
   } else if (call.command == "reference") {
     return sendReferences(client, call.words, call.seconds > 0 ? call.seconds : 2);
   } else {

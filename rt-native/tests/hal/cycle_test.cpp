@@ -25,6 +25,13 @@ struct CycleTest : testing::Test, Rig {
     command(first);
     run();
   }
+
+  // Of plugin 1, which answers every tenth cycle.
+  void answerTen(double wanted) {
+    while (number % 10 != 9) run();
+    answer(number + 1, position(wanted), 1);
+    run();
+  }
 };
 
 TEST_F(CycleTest, a_free_joint_holds_where_it_was_found) {
@@ -54,6 +61,17 @@ TEST_F(CycleTest, a_command_moves_from_the_measured_position_at_the_velocity_lim
   run();
   EXPECT_DOUBLE_EQ(hardware.sent[0].position, 0.502);
   EXPECT_EQ(frame().joints[0].clamped, 1U);
+}
+
+TEST_F(CycleTest, a_slow_plugin_within_the_velocity_limit_is_not_cut) {
+  run();
+  grantAll(1);
+  for (int i = 0; i < 30; ++i) answerTen(0.005 * i);
+  EXPECT_EQ(frame().joints[0].clamped, 0U);
+  for (int i = 0; i < 20; ++i) answerTen(0.15 + 0.015 * i);
+  const std::uint32_t cut = frame().joints[0].clamped;
+  EXPECT_GT(cut, 10U);
+  EXPECT_LT(cut, 30U) << "once a command, not in each of its cycles";
 }
 
 TEST_F(CycleTest, commands_of_another_than_the_owner_move_nothing) {

@@ -38,43 +38,49 @@ TEST(Sound, gains_are_not_negative_and_modes_are_known) {
 struct JointLimits : testing::Test {
   Limits limits{robotOf(1).joints[0], 0.001};
   Reference last{0, 0, 0, 0, 0, link::kPosition};
+
+  bool apply(Reference& wanted) const {
+    const bool is_beyond = limits.applyAtOnce(wanted);
+    return limits.applyStep(wanted, last) || is_beyond;
+  }
 };
 
 TEST_F(JointLimits, a_position_moves_by_the_velocity_limit_at_most) {
   Reference wanted{1, 0, 0, 0, 0, link::kPosition};
-  EXPECT_TRUE(limits.apply(wanted, last));
+  EXPECT_TRUE(apply(wanted));
   EXPECT_DOUBLE_EQ(wanted.position, 0.001);
   wanted.position = 0.0005;
-  EXPECT_FALSE(limits.apply(wanted, last));
+  EXPECT_FALSE(apply(wanted));
 }
 
 TEST_F(JointLimits, a_joint_outside_its_limits_goes_in_slowly) {
   last.position = 3;
   Reference wanted{0, 0, 0, 0, 0, link::kPosition};
-  EXPECT_TRUE(limits.apply(wanted, last));
+  EXPECT_TRUE(apply(wanted));
   EXPECT_DOUBLE_EQ(wanted.position, 2.999);
 }
 
 TEST_F(JointLimits, a_velocity_is_cut_and_rises_in_a_tenth_of_a_second) {
   Reference wanted{0, 5, 0, 0, 0, link::kVelocity};
-  EXPECT_TRUE(limits.apply(wanted, last));
+  EXPECT_TRUE(apply(wanted));
   EXPECT_DOUBLE_EQ(wanted.velocity, 0.01);
   last.velocity = 1;
   wanted.velocity = 5;
-  limits.apply(wanted, last);
+  apply(wanted);
   EXPECT_DOUBLE_EQ(wanted.velocity, 1);
 }
 
 TEST_F(JointLimits, an_effort_is_cut) {
   Reference wanted{0, 0, -80, 0, 0, link::kEffort};
-  EXPECT_TRUE(limits.apply(wanted, last));
+  EXPECT_TRUE(apply(wanted));
   EXPECT_DOUBLE_EQ(wanted.effort, -50);
 }
 
 TEST(Unlimited, joints_are_cut_nowhere) {
   const Limits limits({1, "wheel", config::JointType::kRevolute, -kInfinity, kInfinity, kInfinity, kInfinity}, 0.001);
   Reference wanted{1e6, 0, 0, 0, 0, link::kPosition};
-  EXPECT_FALSE(limits.apply(wanted, {}));
+  EXPECT_FALSE(limits.applyAtOnce(wanted));
+  EXPECT_FALSE(limits.applyStep(wanted, {}));
   EXPECT_EQ(wanted.position, 1e6);
 }
 

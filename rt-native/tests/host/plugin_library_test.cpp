@@ -37,7 +37,7 @@ TEST(PluginLibrary, NamesTheFoldersWhereALibraryIsMissing) {
 }
 
 TEST(PluginLibrary, NamesBothVersionsOfAWrongInterface) {
-  expectIn(refusal("WrongAbi"), "version 999 of the plugin interface, and this is version 2");
+  expectIn(refusal("WrongAbi"), "version 999 of the plugin interface, and this is version 3");
 }
 
 TEST(PluginLibrary, TakesOneThatWasBuiltAsTheHostWas) {

@@ -42,3 +42,11 @@ def command(*words):
     done = subprocess.run([str(word) for word in words], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     if done.returncode != 0:
         raise CannotMeasure(f"{pathlib.Path(words[0]).name} failed:\n{done.stdout[-3000:]}")
+
+
+def jar(name, bench):
+    """The newest jar of a bundle of ours, or of a library."""
+    found = sorted(pathlib.Path(variable("ROBOTUI_PLUGINS", bench)).glob(f"{name}_*.jar"))
+    if not found:
+        raise CannotMeasure(f"there is no {name}_*.jar in ROBOTUI_PLUGINS")
+    return str(found[-1])

@@ -102,6 +102,12 @@ def text_of(pid, name):
         return ""
 
 
+def processor_seconds(pid):
+    """The processor time of a process since its start; 0 where it has ended."""
+    fields = text_of(pid, "stat").rpartition(")")[2].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK") if fields else 0.0
+
+
 def pss_megabytes(pid):
     """The proportional set size of a family."""
     sizes = (re.search(r"^Pss:\s+(\d+) kB", text_of(each, "smaps_rollup"), re.M) for each in family(pid))

@@ -155,7 +155,7 @@ class GuardTest {
         assertThrows(SocketTimeoutException.class, () -> socket.connect(deaf.getLocalSocketAddress(), 700));
       }
       double seconds = (System.nanoTime() - start) / 1e9;
-      assertTrue(seconds > 0.6 && seconds < 1.6, seconds + " s");
+      assertTrue(seconds > 0.6 && seconds < 10, seconds + " s");
       for (Socket socket : filling) {
         socket.close();
       }

@@ -4,8 +4,8 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 
 /**
- * Reads messages in the encoding of ROS 2: CDR, version 1, of either byte order. Four bytes of encapsulation tell the
- * order. After them each number starts at a multiple of its size.
+ * Reads messages in CDR, version 1, of either byte order, where each number starts at a multiple of its size. In the
+ * encoding of ROS 2, four bytes of encapsulation before them tell the order; elsewhere something else does.
  */
 public final class CdrReader extends BlockReader {
 
@@ -16,6 +16,7 @@ public final class CdrReader extends BlockReader {
   private static final int PADDING = 3;
 
   private final int origin;
+  private final int padding;
 
   /**
    * Creates a reader.
@@ -28,6 +29,20 @@ public final class CdrReader extends BlockReader {
     super(in, order(in));
     this.in.position(in.position() + HEADER);
     this.origin = this.in.position();
+    this.padding = PADDING;
+  }
+
+  /**
+   * Creates a reader of bytes without encapsulation, as ACE sends them.
+   *
+   * @param in the message from position to limit, nothing before or behind it; slices of it are handed out, its
+   * position is left alone
+   * @param order of the bytes of a number
+   */
+  public CdrReader(ByteBuffer in, ByteOrder order) {
+    super(in, order);
+    this.origin = this.in.position();
+    this.padding = 0;
   }
 
   private static ByteOrder order(ByteBuffer in) throws MessageException {
@@ -102,6 +117,6 @@ public final class CdrReader extends BlockReader {
 
   @Override
   int padding() {
-    return PADDING;
+    return padding;
   }
 }

@@ -4,14 +4,15 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 
 /**
- * Writes messages in the encoding of ROS 2: CDR, version 1, with four bytes of encapsulation before the first field.
- * Not for use by several threads at once.
+ * Writes messages in CDR, version 1: in the encoding of ROS 2, with four bytes of encapsulation before the first field,
+ * or without. Not for use by several threads at once.
  */
 public final class CdrWriter extends BlockWriter {
 
   private static final int CAPACITY = 256;
 
   private final boolean littleEndian;
+  private final int header;
 
   /** Creates a writer for little-endian messages, which holds the encapsulation only. */
   public CdrWriter() {
@@ -24,13 +25,30 @@ public final class CdrWriter extends BlockWriter {
    * @param order of the bytes of a number
    */
   public CdrWriter(ByteOrder order) {
+    this(order, CdrReader.HEADER);
+  }
+
+  private CdrWriter(ByteOrder order, int header) {
     super(CAPACITY, order);
     this.littleEndian = order == ByteOrder.LITTLE_ENDIAN;
+    this.header = header;
     encapsulation();
   }
 
+  /**
+   * Creates a writer of bytes without encapsulation, as ACE takes them.
+   *
+   * @param order of the bytes of a number
+   * @return empty
+   */
+  public static CdrWriter plain(ByteOrder order) {
+    return new CdrWriter(order, 0);
+  }
+
   private void encapsulation() {
-    u8(0).u8(littleEndian ? 1 : 0).u8(0).u8(0);
+    if (header > 0) {
+      u8(0).u8(littleEndian ? 1 : 0).u8(0).u8(0);
+    }
   }
 
   @Override
@@ -47,7 +65,7 @@ public final class CdrWriter extends BlockWriter {
     return this;
   }
 
-  /** Forgets all but the encapsulation and keeps the capacity. */
+  /** Forgets all but an encapsulation and keeps the capacity. */
   @Override
   public void clear() {
     super.clear();
@@ -56,6 +74,6 @@ public final class CdrWriter extends BlockWriter {
 
   @Override
   int gap(int end, int size) {
-    return -(end - CdrReader.HEADER) & size - 1;
+    return -(end - header) & size - 1;
   }
 }

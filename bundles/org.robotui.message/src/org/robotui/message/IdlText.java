@@ -10,7 +10,8 @@ import java.util.stream.Collectors;
 
 /**
  * Reads the part of IDL that packages of ROS 2 define their types with, and writes it as the definitions that all of
- * this library is made for: structures, constants, names for types, sequences, arrays, bounds and defaults.
+ * this library is made for: structures, constants, names for types, enumerations, sequences, arrays, bounds and
+ * defaults.
  */
 final class IdlText {
 
@@ -68,6 +69,7 @@ final class IdlText {
         case "struct" -> struct();
         case "const" -> constant(name);
         case "typedef" -> typedef();
+        case "enum" -> enumeration();
         case String other -> throw in.unsupported("'" + other + "'");
       }
     }
@@ -106,6 +108,17 @@ final class IdlText {
     String type = types.read();
     String name = in.take();
     types.define(name, types.dimensions(type));
+    in.expect(";");
+  }
+
+  /** A number is sent for the word; which word it stands for is lost in a definition. */
+  private void enumeration() throws DefinitionException {
+    types.define(in.take(), "int32");
+    in.expect("{");
+    do {
+      in.take();
+    } while (in.takeIf(","));
+    in.expect("}");
     in.expect(";");
   }
 

@@ -133,4 +133,20 @@ public final class RecordCodec<T extends Record> implements MessageCodec<T> {
   public void encode(T value, MessageWriter out) {
     binding.write(value, out);
   }
+
+  /**
+   * A message as one whose fields are read by their names.
+   *
+   * @param value the message
+   * @return the same in the serialization of ROS 1
+   */
+  public DynamicMessage message(T value) {
+    MessageWriter out = new MessageWriter();
+    encode(value, out);
+    try {
+      return DynamicMessage.check(schema.layout(), out.view());
+    } catch (MessageException e) {
+      throw new IllegalStateException("what was written as " + info().type() + " cannot be read", e);
+    }
+  }
 }

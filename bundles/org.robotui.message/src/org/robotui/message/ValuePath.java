@@ -13,6 +13,9 @@ final class ValuePath {
   private ValuePath() {}
 
   static Optional<RosValue> follow(DynamicMessage message, String path) {
+    if (!path.isEmpty() && path.indexOf('.') < 0 && path.indexOf('[') < 0) {
+      return message.field(path);
+    }
     Matcher step = STEP.matcher(path);
     Optional<RosValue> value = Optional.of(new RosValue.Nested(message));
     int end = 0;

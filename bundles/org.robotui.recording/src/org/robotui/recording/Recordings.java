@@ -4,6 +4,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import org.robotui.recording.internal.bag.BagOpener;
+import org.robotui.recording.internal.bag.OldBagOpener;
 import org.robotui.recording.internal.chunk.ChunkedRecording;
 import org.robotui.recording.internal.chunk.OpenedRecording;
 import org.robotui.recording.internal.chunk.RunSource;
@@ -18,7 +19,7 @@ public final class Recordings {
 
   /** What can be opened, in words for users. */
   public static final String KNOWN =
-      "MCAP, bags of ROS 1 (version 2.0), and folders and databases (.db3) of rosbag2";
+      "MCAP, bags of ROS 1 (version 1.2 and 2.0), and folders and databases (.db3) of rosbag2";
 
   private Recordings() {}
 
@@ -57,7 +58,7 @@ public final class Recordings {
     }
     FileBytes bytes = FileBytes.open(file);
     try {
-      return McapOpener.isOne(bytes) || BagOpener.isOne(bytes) || SqlitePages.isOne(bytes)
+      return McapOpener.isOne(bytes) || BagOpener.isOne(bytes) || OldBagOpener.isOne(bytes) || SqlitePages.isOne(bytes)
           || FolderOpener.isPacked(bytes);
     } finally {
       bytes.close();
@@ -80,6 +81,9 @@ public final class Recordings {
     }
     if (BagOpener.isOne(bytes)) {
       return BagOpener.open(bytes, progress);
+    }
+    if (OldBagOpener.isOne(bytes)) {
+      return OldBagOpener.open(bytes, progress);
     }
     if (SqlitePages.isOne(bytes)) {
       return DatabaseOpener.open(bytes, progress);

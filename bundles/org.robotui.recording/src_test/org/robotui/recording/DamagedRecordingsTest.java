@@ -216,7 +216,7 @@ class DamagedRecordingsTest {
 
   @Test
   void of_no_known_format_are_reftaken() throws IOException {
-    Path file = Files.write(folder.resolve("text"), "#ROSBAG V1.2\nand so on".getBytes(StandardCharsets.US_ASCII));
+    Path file = Files.write(folder.resolve("text"), "#ROSBAG V1.1\nand so on".getBytes(StandardCharsets.US_ASCII));
     RecordingException refused =
         assertThrows(RecordingException.class, () -> Recordings.open(file, ScanProgress.NONE));
     assertTrue(refused.getMessage().startsWith(file + ", byte 0: this is no recording"), refused.getMessage());

@@ -16,13 +16,18 @@ import org.robotui.sim.internal.Sensors;
 import org.robotui.sim.internal.Settings;
 import org.robotui.sim.internal.SimulatedRobot;
 import org.robotui.sim.internal.Simulation;
+import org.robotui.sim.internal.carmen.CarmenFace;
 import org.robotui.sim.internal.lcm.LcmFace;
 import org.robotui.sim.internal.player.PlayerFace;
+import org.robotui.sim.internal.roblets.RobletsFace;
 import org.robotui.sim.internal.ros.RosFace;
 import org.robotui.sim.internal.ros2.Ros2Face;
+import org.robotui.sim.internal.roboframe.RoboframeFace;
+import org.robotui.sim.internal.smartsoft.SmartFace;
 import org.robotui.sim.internal.world.GridMap;
 import org.robotui.sim.internal.world.MapRasterizer;
 import org.robotui.sim.internal.world.World;
+import org.robotui.sim.internal.yarp.YarpFace;
 
 /** The running demo: a robot, its faces, and the thread that lets time pass. */
 final class Demo implements AutoCloseable {
@@ -68,6 +73,21 @@ final class Demo implements AutoCloseable {
     if (options.speaks().contains(Speech.LCM)) {
       faces.add(
           new LcmFace(options.lcmUrl(), options.lcmTypes().orElseThrow(), options.ros().namespace(), Demo::thread));
+    }
+    if (options.speaks().contains(Speech.CARMEN)) {
+      faces.add(new CarmenFace(options.carmenPort(), Demo::thread));
+    }
+    if (options.speaks().contains(Speech.YARP)) {
+      faces.add(new YarpFace(options.yarpPort(), Demo::thread));
+    }
+    if (options.speaks().contains(Speech.SMARTSOFT)) {
+      faces.add(new SmartFace(options.smartsoftPort(), Demo::thread));
+    }
+    if (options.speaks().contains(Speech.ROBLETS)) {
+      faces.add(new RobletsFace(options.robletsPort(), Demo::thread));
+    }
+    if (options.speaks().contains(Speech.ROBOFRAME)) {
+      faces.add(new RoboframeFace(options.roboframePort(), Demo::thread));
     }
     Settings settings = Settings.of(options.robot(), options.seed());
     for (Face face : faces) {

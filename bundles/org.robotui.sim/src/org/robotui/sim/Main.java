@@ -8,6 +8,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.stream.Collectors;
+import org.robotui.roblets.wire.BodyDatagram;
+import org.robotui.sim.internal.roblets.BoatDemo;
 import org.robotui.sim.internal.swarm.Swarm;
 
 /** Starts the demo robot as a program of its own. */
@@ -62,6 +64,12 @@ public final class Main {
       Swarm swarm = Swarm.start(options.swarm(), options.ros(), options.seed());
       ready(Map.of("ROS_MASTER_URI", swarm.master().text()), swarm, swarm::end, parent, out);
       swarm.awaitEnd();
+      return 0;
+    }
+    if (options.boat()) {
+      BoatDemo boat = BoatDemo.start(options.robletsPort(), options.seed());
+      ready(Map.of(BodyDatagram.BRAIN_VARIABLE, boat.address()), boat, boat::end, parent, out);
+      boat.awaitEnd();
       return 0;
     }
     Demo demo = Demo.start(options);

@@ -34,12 +34,18 @@ final class OptionParser {
   private OptionalInt domain = OptionalInt.empty();
   private boolean subnet;
   private int playerPort;
+  private int carmenPort;
+  private int yarpPort;
+  private int smartsoftPort;
+  private int robletsPort;
+  private int roboframePort;
   private Optional<URI> lcmUrl = Optional.empty();
   private Optional<Path> lcmTypes = Optional.empty();
   private long seed = 1;
   private double speedFactor = 1;
   private OptionalLong parent = OptionalLong.empty();
   private int swarm;
+  private boolean boat;
 
   OptionParser(List<String> arguments) {
     this.arguments = arguments;
@@ -54,8 +60,8 @@ final class OptionParser {
           "--speak lcm needs --lcm-types, the folder with the .lcm files of the package robotui");
     }
     RosOptions ros = new RosOptions(port, namespace, name, realMaster, simTime, rosArguments);
-    return new Options(robot, speaks, ros, new DomainOptions(domain, subnet), playerPort, lcmUrl, lcmTypes, seed,
-        speedFactor, parent, swarm);
+    return new Options(robot, speaks, ros, new DomainOptions(domain, subnet), playerPort, carmenPort, yarpPort,
+        smartsoftPort, robletsPort, roboframePort, lcmUrl, lcmTypes, seed, speedFactor, parent, swarm, boat);
   }
 
   private void take(String option) {
@@ -70,6 +76,12 @@ final class OptionParser {
       case "--domain" -> domain = OptionalInt.of((int) whole(option, 0, DomainOptions.MOST));
       case "--subnet" -> subnet = true;
       case "--player-port" -> playerPort = (int) whole(option, 0, PORTS);
+      case "--carmen-port" -> carmenPort = (int) whole(option, 0, PORTS);
+      case "--yarp-port" -> yarpPort = (int) whole(option, 0, PORTS);
+      case "--smartsoft-port" -> smartsoftPort = (int) whole(option, 0, PORTS);
+      case "--roblets-port" -> robletsPort = (int) whole(option, 0, PORTS);
+      case "--boat" -> boat = true;
+      case "--roboframe-port" -> roboframePort = (int) whole(option, 0, PORTS);
       case "--lcm-url" -> lcmUrl = Optional.of(URI.create(value(option)));
       case "--lcm-types" -> lcmTypes = Optional.of(Path.of(value(option)));
       case "--seed" -> seed = whole(option, Long.MIN_VALUE, Long.MAX_VALUE);
@@ -113,7 +125,9 @@ final class OptionParser {
     try {
       return Speech.valueOf(word.toUpperCase(Locale.ROOT));
     } catch (IllegalArgumentException e) {
-      throw new IllegalArgumentException(option + " knows ros, ros2, player and lcm, not '" + word + "'", e);
+      throw new IllegalArgumentException(
+          option + " knows ros, ros2, player, lcm, carmen, yarp, smartsoft and roboframe, not '" + word + "'",
+          e);
     }
   }
 

@@ -19,12 +19,18 @@ import org.robotui.sim.internal.ros2.DomainOptions;
  * @param ros names, time and the master of ROS; ROS 2 has all of it but the master
  * @param domain for ROS 2
  * @param playerPort of the Player server; 0 for a free one
+ * @param carmenPort of CARMEN's central; 0 for a free one
+ * @param yarpPort of YARP's name server; 0 for a free one
+ * @param smartsoftPort of SmartSoft's naming service; 0 for a free one
+ * @param robletsPort of the brain of roblets; 0 for a free one
+ * @param roboframePort of the application of RoboFrame; 0 for a free one
  * @param lcmUrl where LCM's messages go; empty for multicast on a free port of this machine
  * @param lcmTypes the folder with the types of LCM's messages
  * @param seed of all noise
  * @param speedFactor how many times faster than real the robot lives
  * @param parent a process with which the robot ends
  * @param swarm how many cheap robots to start in place of one; 0 for the one
+ * @param boat whether to start a boat of roblets in place of the robot
  */
 record Options(
     RobotModel robot,
@@ -32,17 +38,25 @@ record Options(
     RosOptions ros,
     DomainOptions domain,
     int playerPort,
+    int carmenPort,
+    int yarpPort,
+    int smartsoftPort,
+    int robletsPort,
+    int roboframePort,
     Optional<URI> lcmUrl,
     Optional<Path> lcmTypes,
     long seed,
     double speedFactor,
     OptionalLong parent,
-    int swarm) {
+    int swarm,
+    boolean boat) {
   static final String USAGE =
       """
       Usage: org.robotui.sim.Main [OPTION]... [FROM:=TO]... [_PARAMETER:=VALUE]...
         --robot NAME        natalie, the default, or keira
-        --speak LIST        ros, the default, ros2, player, lcm, or several with commas between
+        --speak LIST        ros, the default, ros2, player, lcm,
+                            carmen, yarp, smartsoft, roblets, roboframe,
+                            or several with commas between
         --seed N            seed of all noise (1)
         --speed-factor X    run X times faster than real (1)
         --parent PID        end when that process has gone
@@ -60,6 +74,17 @@ record Options(
         --sim-time          publish /clock, and set /use_sim_time of ROS 1
       For Player:
         --player-port N     port of the server on loopback; 0, the default, takes a free one
+      For CARMEN:
+        --carmen-port N     port of the central on loopback; 0, the default, takes a free one
+      For YARP:
+        --yarp-port N       port of the name server on loopback; 0, the default, takes a free one
+      For SmartSoft:
+        --smartsoft-port N  port of the naming service on loopback; 0, the default, takes a free one
+      For roblets:
+        --roblets-port N    port of the brain on loopback; 0, the default, takes a free one
+        --boat              a boat that sails from mark to mark, in place of the robot
+      For RoboFrame:
+        --roboframe-port N  port of the application on loopback; 0, the default, takes a free one
       For LCM:
         --lcm-types FOLDER  the .lcm files of the package robotui
         --lcm-url URL       where messages go, in place of multicast on a free port of this machine
@@ -71,7 +96,12 @@ record Options(
     ROS,
     ROS2,
     PLAYER,
-    LCM
+    LCM,
+    CARMEN,
+    YARP,
+    SMARTSOFT,
+    ROBLETS,
+    ROBOFRAME
   }
 
   Options {

@@ -33,8 +33,10 @@ class OptionsTest {
     Options options = Options.parse(List.of(
         "--port", "11311", "--namespace", "/keira/", "--name", "base", "--seed", "-7", "--speed-factor", "2.5",
         "--real-master", "http://localhost:11311", "--sim-time", "--parent", "4711", "--swarm", "12",
-        "plan:=/move_base/plan",
-        "--robot", "Keira", "--speak", "player,lcm", "--player-port", "6665", "--lcm-url", "udpm://239.1.1.1:7000",
+        "plan:=/move_base/plan", "--yarp-port", "10009", "--smartsoft-port", "20003", "--roblets-port", "7853",
+        "--roboframe-port", "7421", "--boat",
+        "--robot", "Keira", "--speak", "player,lcm", "--player-port", "6665", "--carmen-port", "1382", "--lcm-url",
+        "udpm://239.1.1.1:7000",
         "--lcm-types", "types", "--domain", "42", "--subnet"));
     RosOptions ros = new RosOptions(
         11311, "keira", "base", Optional.of(URI.create("http://localhost:11311")), true,
@@ -42,9 +44,9 @@ class OptionsTest {
     assertEquals(
         new Options(
             Robots.KEIRA, Set.of(Options.Speech.PLAYER, Options.Speech.LCM), ros,
-            new DomainOptions(OptionalInt.of(42), true), 6665,
+            new DomainOptions(OptionalInt.of(42), true), 6665, 1382, 10009, 20_003, 7853, 7421,
             Optional.of(URI.create("udpm://239.1.1.1:7000")),
-            Optional.of(Path.of("types")), -7, 2.5, OptionalLong.of(4711), 12),
+            Optional.of(Path.of("types")), -7, 2.5, OptionalLong.of(4711), 12, true),
         options);
   }
 
@@ -57,7 +59,7 @@ class OptionsTest {
     assertMistake("0.01 to 50", "--speed-factor", "0");
     assertMistake("http", "--real-master", "localhost:11311");
     assertMistake("natalie, keira", "--robot", "otto");
-    assertMistake("'yarp'", "--speak", "ros,yarp");
+    assertMistake("'corba'", "--speak", "ros,corba");
     assertMistake("--lcm-types", "--speak", "lcm");
     assertMistake("'--colour'", "--colour", "red");
     assertMistake("'stray'", "stray");

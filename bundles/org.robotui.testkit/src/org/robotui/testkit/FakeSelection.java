@@ -1,5 +1,7 @@
 package org.robotui.testkit;
 
+import java.util.Collections;
+import java.util.LinkedHashSet;
 import java.util.Set;
 import org.robotui.api.host.RobotSelection;
 
@@ -17,6 +19,6 @@ public final class FakeSelection implements RobotSelection {
 
   @Override
   public void set(Set<String> selected) {
-    robots = Set.copyOf(selected);
+    robots = Collections.unmodifiableSet(new LinkedHashSet<>(selected));
   }
 }

@@ -74,6 +74,8 @@ public enum Icon {
   OPEN("M 3.5 6 L 8 10.5 L 12.5 6"),
   /** What is within is not seen. */
   CLOSED("M 6 3.5 L 10.5 8 L 6 12.5"),
+  /** Looks for something. */
+  FIND("O 6.7 6.7 4.7 M 10.3 10.3 L 14.3 14.3"),
   /** Words of a robot. */
   TEXT("M 2 4 L 14 4 M 2 8 L 14 8 M 2 12 L 9 12");
 

@@ -15,16 +15,16 @@ import java.util.function.Supplier;
  * @param <S> the surface
  */
 public final class SurfaceActions<S extends ViewSurface> {
-  private final Supplier<Optional<S>> newest;
+  private final Supplier<Optional<S>> shown;
   private final List<ViewAction> all = new ArrayList<>();
 
   /**
    * Without actions.
    *
-   * @param newest the newest surface, which may be disposed
+   * @param shown the surface that can be used now; none while there is none, or it is disposed
    */
-  SurfaceActions(Supplier<Optional<S>> newest) {
-    this.newest = newest;
+  SurfaceActions(Supplier<Optional<S>> shown) {
+    this.shown = shown;
   }
 
   /**
@@ -64,7 +64,7 @@ public final class SurfaceActions<S extends ViewSurface> {
    * @return these
    */
   public SurfaceActions<S> action(String id, String label, Icon icon, Consumer<S> run) {
-    return add(id, label, icon, () -> shown().ifPresent(run));
+    return add(id, label, icon, () -> shown.get().ifPresent(run));
   }
 
   /**
@@ -78,7 +78,7 @@ public final class SurfaceActions<S extends ViewSurface> {
    * @return these
    */
   public SurfaceActions<S> switched(String id, String label, Icon icon, Predicate<S> on, Consumer<S> run) {
-    return add(id, label, icon, () -> shown().filter(on).isPresent(), () -> shown().ifPresent(run));
+    return add(id, label, icon, () -> shown.get().filter(on).isPresent(), () -> shown.get().ifPresent(run));
   }
 
   /**
@@ -94,9 +94,5 @@ public final class SurfaceActions<S extends ViewSurface> {
 
   List<ViewAction> all() {
     return List.copyOf(all);
-  }
-
-  private Optional<S> shown() {
-    return newest.get().filter(s -> !s.control().isDisposed());
   }
 }

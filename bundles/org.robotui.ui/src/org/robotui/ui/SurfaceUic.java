@@ -2,6 +2,7 @@ package org.robotui.ui;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 
@@ -12,7 +13,7 @@ import org.eclipse.swt.widgets.Control;
  * @param <S> what is seen of the view
  */
 public abstract class SurfaceUic<S extends ViewSurface> implements SwtUic {
-  private final SurfaceActions<S> actions = new SurfaceActions<>(this::surface);
+  private final SurfaceActions<S> actions = new SurfaceActions<>(this::shown);
   private volatile Optional<S> surface = Optional.empty();
 
   /**
@@ -38,6 +39,19 @@ public abstract class SurfaceUic<S extends ViewSurface> implements SwtUic {
    */
   protected final Optional<S> surface() {
     return surface;
+  }
+
+  /**
+   * Does something at the surface, and nothing while there is none. Display thread.
+   *
+   * @param act for example shows one of several things
+   */
+  protected final void atSurface(Consumer<S> act) {
+    shown().ifPresent(act);
+  }
+
+  private Optional<S> shown() {
+    return surface.filter(s -> !s.control().isDisposed());
   }
 
   /**

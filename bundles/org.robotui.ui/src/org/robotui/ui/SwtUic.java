@@ -44,4 +44,14 @@ public interface SwtUic extends Uic {
   default List<ViewKey> keys() {
     return List.of();
   }
+
+  /**
+   * What the search of the window finds in the view, asked each time that the search opens. It returns at once what is
+   * known already.
+   *
+   * @return the items, in the order in which they are found where they fit alike
+   */
+  default List<ViewItem> items() {
+    return List.of();
+  }
 }

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -39,6 +40,10 @@ struct JointDescription {
   double upper;
   double velocity;  // rad/s or m/s
   double effort;    // N m or N
+  // Of what the joint is told, rad/s^2 and rad/s^3 or m/s^2 and m/s^3; infinite where neither URDF nor configuration
+  // has one.
+  double acceleration = std::numeric_limits<double>::infinity();
+  double jerk = std::numeric_limits<double>::infinity();
 };
 
 // A group of the SRDF that is one chain of commanded joints, from base to tip.

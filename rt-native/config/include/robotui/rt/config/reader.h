@@ -58,6 +58,10 @@ class Reader {
   Place above_;
 };
 
+// The map at the top of a YAML file. `wanted` is where the file was asked for, `what` it is for the user ("the joint
+// map"). Throws ConfigError.
+Reader readYamlFile(const std::filesystem::path& file, const Place& wanted, const std::string& what);
+
 // The likely one of the words that was meant: ", did you mean 'x'?", or nothing.
 std::string didYouMean(std::string_view word, const std::vector<std::string>& known);
 

@@ -60,7 +60,7 @@ class Hal {
 
 // What the library of a HAL of one's own exports, by ROBOTUI_RT_HAL(Class): its `lib_file` stands in the configuration.
 // A library of another number, or that was built another way, is refused.
-inline constexpr std::uint32_t kHalAbi = 3;
+inline constexpr std::uint32_t kHalAbi = 4;
 
 // Of this source file: internal linkage, so that no other file's list takes its place.
 constexpr link::AbiFact kHalFacts[] = {

@@ -14,7 +14,7 @@
 namespace robotui::rt {
 
 // Another number means another layout of the interface: a library of another one is refused, with both numbers.
-inline constexpr std::uint32_t kPluginAbi = 2;
+inline constexpr std::uint32_t kPluginAbi = 3;
 
 // Of this source file: internal linkage, so that no other file's list takes its place.
 constexpr link::AbiFact kPluginFacts[] = {

@@ -1,5 +1,5 @@
 /**
  * What a component can be configured with, and the checked values.
  */
-@org.osgi.annotation.versioning.Version("1.7.0")
+@org.osgi.annotation.versioning.Version("1.8.0")
 package org.robotui.api.config;

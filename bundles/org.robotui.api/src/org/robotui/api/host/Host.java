@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Executor;
 import org.robotui.api.UicType.Surface;
+import org.robotui.api.bridge.BridgeConfig;
 import org.robotui.api.command.Principal;
 import org.robotui.api.config.Setting;
 
@@ -80,6 +81,15 @@ public interface Host {
   List<WindowConfig> windows();
 
   /**
+   * The bridges that the loaded files ask for.
+   *
+   * @return in the order of loading and writing; their RUICs may have gone, or not have come
+   */
+  default List<BridgeConfig> bridges() {
+    return List.of();
+  }
+
+  /**
    * Begins to put a RUIC together, with a robot interface that is tried at once.
    *
    * @param wanted the robot interface
@@ -93,6 +103,13 @@ public interface Host {
    * @return always the same
    */
   FileOpener files();
+
+  /**
+   * What the configuration files that run can say, to be shown and changed.
+   *
+   * @return always the same
+   */
+  ConfigSettings settings();
 
   /**
    * Tells when RUICs, their states, matches, views or frames change.

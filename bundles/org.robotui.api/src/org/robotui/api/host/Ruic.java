@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.concurrent.CompletionStage;
 import org.robotui.api.Uic;
 import org.robotui.api.command.Principal;
+import org.robotui.api.config.SettingsStore;
 import org.robotui.api.layout.Layout;
 
 /** A RUIC as an application handles it. Methods return at once; work is done on core's workers. */
@@ -54,6 +55,15 @@ public interface Ruic extends RuicView {
    * @return the instance, or none where it failed or is not installed
    */
   Optional<Uic> uic(String id);
+
+  /**
+   * The settings of one of its views, while it runs. What is set there is in force at the next tick of the view and
+   * kept, as if the user had changed it in the view.
+   *
+   * @param id of the view
+   * @return its settings, or none where it failed or is not installed
+   */
+  Optional<SettingsStore> settings(String id);
 
   /**
    * What users call a view.

@@ -5,8 +5,10 @@ import java.io.InputStream;
 import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.AccessDeniedException;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 
 /**
@@ -35,6 +37,10 @@ public record ScriptSource(String name, String text) {
           StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(bytes)).toString());
     } catch (CharacterCodingException e) {
       throw new IOException(file + " is no script: it is not written in UTF-8");
+    } catch (NoSuchFileException e) {
+      throw new IOException("the script " + file + " is not there", e);
+    } catch (AccessDeniedException e) {
+      throw new IOException("the script " + file + " may not be read: permission denied", e);
     } catch (FileSystemException e) {
       throw new IOException("the script " + file + " cannot be read: " + e);
     }

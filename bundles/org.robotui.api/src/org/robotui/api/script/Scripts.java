@@ -31,6 +31,22 @@ public interface Scripts {
    */
   Optional<Door> listen(Path folder);
 
+  /**
+   * Writes down what users do from now on, such as opening views or moving the timeline, as lines of a script that does
+   * the same. Between them it waits as long as the user did. What moves robots continuously is not written down.
+   *
+   * @param line is given each line, on a thread of its own
+   * @return ends it when closed
+   */
+  ActionRecording record(Consumer<String> line);
+
+  /** What users do is being written down. */
+  interface ActionRecording extends AutoCloseable {
+    /** Ends it; lines of what was done before are given first. Waits for a moment. */
+    @Override
+    void close();
+  }
+
   /** Where other programs of this user reach this process. */
   interface Door extends AutoCloseable {
     /**

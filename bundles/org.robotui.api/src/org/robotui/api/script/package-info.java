@@ -6,5 +6,5 @@
  * Functions may also give data of robots ({@link org.robotui.data.record.DynamicRecord}), which scripts see as maps,
  * and may be given functions of the script ({@link org.robotui.api.script.ScriptCallback}).
  */
-@org.osgi.annotation.versioning.Version("1.0.0")
+@org.osgi.annotation.versioning.Version("1.1.0")
 package org.robotui.api.script;

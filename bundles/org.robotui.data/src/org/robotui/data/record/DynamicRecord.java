@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.robotui.data.Data;
+import org.robotui.data.array.Bytes;
 
 /**
  * A message of a type that no data type stands for, with the names that the robot gives. Implementations may decode
@@ -31,6 +32,16 @@ public interface DynamicRecord extends Data {
    * @return the value, or none where there is no such field
    */
   Optional<FieldValue> field(String name);
+
+  /**
+   * The bytes of a field of many bytes, for who hands them on: without a number for each of them.
+   *
+   * @param name one of {@link #fields()}
+   * @return the bytes, or none where the field holds something else or is not kept as bytes
+   */
+  default Optional<Bytes> bytes(String name) {
+    return Optional.empty();
+  }
 
   /**
    * The value at a path.

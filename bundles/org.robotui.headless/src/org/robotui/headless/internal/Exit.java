@@ -15,7 +15,9 @@ enum Exit {
   /** A script failed, or was stopped. */
   SCRIPT(5),
   /** A recording could not be begun, or ended by itself. */
-  RECORDING(6);
+  RECORDING(6),
+  /** There is no bridge to run, or its numbers cannot be given. */
+  BRIDGE(7);
 
   private final int code;
 

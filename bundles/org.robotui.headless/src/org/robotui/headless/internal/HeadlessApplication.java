@@ -13,6 +13,7 @@ import java.util.concurrent.CountDownLatch;
 import org.eclipse.equinox.app.IApplication;
 import org.eclipse.equinox.app.IApplicationContext;
 import org.osgi.framework.FrameworkUtil;
+import org.robotui.api.bridge.Bridges;
 import org.robotui.api.host.Host;
 import org.robotui.api.record.Recorder;
 import org.robotui.api.script.Scripts;
@@ -37,8 +38,10 @@ public final class HeadlessApplication implements IApplication {
       err.println(e.getMessage());
       err.print(Arguments.USAGE);
       err.print(RecordArguments.USAGE);
+      err.print(BridgeArguments.USAGE);
       err.print(NewArguments.USAGE);
       err.print(FeatureArguments.USAGE);
+      err.print(WordsArguments.USAGE);
       return Exit.USAGE.code();
     } finally {
       out.flush();
@@ -56,6 +59,13 @@ public final class HeadlessApplication implements IApplication {
     if (words.contains("-new")) {
       return compose(NewArguments.parse(words));
     }
+    if (words.contains(WordsArguments.OPTION)) {
+      WordsArguments wanted = WordsArguments.parse(words);
+      return with(Host.class, "the core", host -> new WordsRun(host, out, err).run(wanted).code());
+    }
+    if (words.contains(BridgeArguments.OPTION)) {
+      return bridge(BridgeArguments.parse(words));
+    }
     if (words.contains(RecordArguments.OPTION)) {
       return record(RecordArguments.parse(words));
     }
@@ -69,6 +79,15 @@ public final class HeadlessApplication implements IApplication {
       endInOrder(host);
       return with(Recorder.class, "the recorder", recorder -> new ShowRun(host, out, err, stop, Optional.empty())
           .show(wanted.rest(), Optional.of(() -> new RecordRun(recorder, out, err, stop).run(wanted).code())));
+    });
+  }
+
+  private int bridge(BridgeArguments wanted) throws InterruptedException {
+    return with(Host.class, "the core", host -> {
+      endInOrder(host);
+      return with(Bridges.class, "what runs bridges",
+          bridges -> new ShowRun(host, out, err, stop, Optional.empty()).show(wanted.rest(),
+              Optional.of(() -> new BridgeRun(host, bridges, out, err, stop).run(wanted).code())));
     });
   }
 

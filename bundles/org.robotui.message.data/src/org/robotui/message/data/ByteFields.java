@@ -13,5 +13,6 @@ public interface ByteFields extends DynamicRecord {
    * @param name one of {@link #fields()}
    * @return its bytes, or none where there is no such field, or it holds something else
    */
+  @Override
   Optional<Bytes> bytes(String name);
 }

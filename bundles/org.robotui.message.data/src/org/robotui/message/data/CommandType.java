@@ -11,6 +11,8 @@ import org.robotui.data.navigation.NavigationGoal;
 import org.robotui.data.navigation.Odometry;
 import org.robotui.data.navigation.Path;
 import org.robotui.data.navigation.PoseEstimate;
+import org.robotui.message.roboframe.TargetStreamable;
+import org.robotui.message.roboframe.VelocityStreamable;
 import org.robotui.message.ros.geometry_msgs.PoseStamped;
 import org.robotui.message.ros.geometry_msgs.PoseWithCovariance;
 import org.robotui.message.ros.geometry_msgs.PoseWithCovarianceStamped;
@@ -68,7 +70,11 @@ public record CommandType<D extends Data, M extends Record>(
           org.robotui.message.ros.geometry_msgs.PoseArray.class,
           (c, now) -> new org.robotui.message.ros.geometry_msgs.PoseArray(new Header(0, now, c.frame().name()),
               c.poses().stream().map(Geometry::pose).toList()),
-          true, "Poses to drive to, one after the other."));
+          true, "Poses to drive to, one after the other."),
+      new CommandType<>("roboframe/Velocity", VelocityCommand.class, VelocityStreamable.class,
+          (c, now) -> RoboframeMessages.velocity(c), false, "Velocity of the base."),
+      new CommandType<>("roboframe/Target", NavigationGoal.class, TargetStreamable.class,
+          (c, now) -> RoboframeMessages.target(c), false, "Where the robot shall go."));
 
   /**
    * The command for a topic's type.
@@ -78,6 +84,15 @@ public record CommandType<D extends Data, M extends Record>(
    */
   public static Optional<CommandType<?, ?>> of(String type) {
     return ALL.stream().filter(c -> c.type().equals(type)).<CommandType<?, ?>>map(Function.identity()).findFirst();
+  }
+
+  /** The same for what is said, in place of commanded. */
+  static List<DataMessages.Maker<?, ?>> makers() {
+    return ALL.stream().<DataMessages.Maker<?, ?>>map(CommandType::maker).toList();
+  }
+
+  private DataMessages.Maker<D, M> maker() {
+    return DataMessages.Maker.of(data, form, message);
   }
 
   private static Twist twist(VelocityCommand c) {
@@ -95,7 +110,7 @@ public record CommandType<D extends Data, M extends Record>(
         c.poses().stream().map(pose -> new PoseStamped(header, Geometry.pose(pose))).toList());
   }
 
-  private static double[] covariance(Doubles given) {
+  static double[] covariance(Doubles given) {
     double[] covariance = new double[Odometry.COVARIANCE_SIZE];
     if (given.size() > 0) {
       given.buffer().get(covariance);

@@ -5,5 +5,5 @@
  * {@link org.robotui.message.DynamicMessage}, never bytes; who reads the bytes binds them by
  * {@link org.robotui.message.data.MessageForm}.
  */
-@org.osgi.annotation.versioning.Version("2.0.0")
+@org.osgi.annotation.versioning.Version("2.1.0")
 package org.robotui.message.data;

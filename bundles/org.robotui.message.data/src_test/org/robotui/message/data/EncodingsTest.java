@@ -86,7 +86,7 @@ class EncodingsTest {
   }
 
   @SuppressWarnings("unchecked") // the messages of each form are of its own type
-  private static <M> M message(Adapter<M, ?> adapter, ByteBuffer bytes, Generation generation) throws MessageException {
+  static <M> M message(Adapter<M, ?> adapter, ByteBuffer bytes, Generation generation) throws MessageException {
     return switch (adapter.form()) {
       case MessageForm.Bound<?> bound -> (M) RecordBinding.shipped(bound.type(), generation).decode(bytes);
       case MessageForm.Dynamic any -> (M) DynamicMessage.read(schema(adapter.type(), generation),
@@ -95,7 +95,7 @@ class EncodingsTest {
     };
   }
 
-  private static MessageSchema schema(String type, Generation generation) {
+  static MessageSchema schema(String type, Generation generation) {
     MessageRegistry registry = new MessageRegistry(new LocalDefinitions(List.of(), List.of(), generation), generation);
     return ((SchemaLookup.Found<MessageSchema>) registry.message(type)).schema();
   }

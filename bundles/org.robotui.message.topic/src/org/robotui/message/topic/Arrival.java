@@ -7,6 +7,7 @@ import java.util.function.Supplier;
 import org.robotui.api.port.RawDefinition;
 import org.robotui.api.port.RawMessage;
 import org.robotui.api.port.RawOrigin;
+import org.robotui.data.Data;
 import org.robotui.data.array.Bytes;
 import org.robotui.data.record.DynamicRecord;
 
@@ -39,6 +40,18 @@ public record Arrival(String sender, long receiveNanos, boolean kept, String enc
   public Arrival(String sender, long receiveNanos, boolean kept, String encoding, ByteBuffer bytes,
       Function<Bytes, Optional<DynamicRecord>> reading) {
     this(sender, receiveNanos, kept, encoding, bytes, reading, "", Optional::empty);
+  }
+
+  /**
+   * The message as those get it who keep it, read only when its fields are asked for.
+   *
+   * @param type the robot's name of its type
+   * @param value what was made of it
+   * @return the message
+   */
+  public RawMessage raw(String type, Data value) {
+    return raw(type,
+        bytes -> value instanceof DynamicRecord record ? Optional.of(record) : reading.apply(bytes));
   }
 
   /**

@@ -5,6 +5,7 @@ import org.robotui.api.link.Pulse;
 import org.robotui.api.port.Offer;
 import org.robotui.message.topic.internal.MarkerFeedbacks;
 import org.robotui.message.topic.internal.MessageTopics;
+import org.robotui.message.topic.internal.RelayTopics;
 import org.robotui.message.topic.internal.TopicOffers;
 import org.robotui.message.topic.internal.TopicScope;
 import org.robotui.message.topic.internal.TransformFeed;
@@ -19,7 +20,9 @@ public final class RobotTopics implements AutoCloseable {
   private final TopicOffers offers;
   private final TransformFeed transforms;
   private final MessageTopics messages;
+  private final RelayTopics relays;
   private final Offer publish;
+  private final Offer relay;
   private final Offer handled;
 
   /**
@@ -38,6 +41,8 @@ public final class RobotTopics implements AutoCloseable {
     this.transforms = new TransformFeed(scope, transforms);
     this.messages = new MessageTopics(client);
     this.publish = context.offers().command(TopicPorts.PUBLISH, messages);
+    this.relays = new RelayTopics(scope);
+    this.relay = context.offers().command(TopicPorts.RELAY, relays);
   }
 
   /**
@@ -57,6 +62,7 @@ public final class RobotTopics implements AutoCloseable {
   public void follow(TopicGraph graph) {
     offers.follow(graph);
     messages.follow(graph);
+    relays.follow(graph);
     transforms.follow(graph);
   }
 
@@ -64,6 +70,7 @@ public final class RobotTopics implements AutoCloseable {
   public void tick() {
     offers.applyDemand();
     messages.tick();
+    relays.tick();
     scope.clock().tick();
     transforms.tick();
   }
@@ -96,8 +103,10 @@ public final class RobotTopics implements AutoCloseable {
   public void close() {
     stop();
     publish.close();
+    relay.close();
     handled.close();
     messages.close();
+    relays.close();
     offers.close();
     transforms.close();
   }

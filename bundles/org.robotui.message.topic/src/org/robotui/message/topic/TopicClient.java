@@ -28,6 +28,17 @@ public interface TopicClient {
   }
 
   /**
+   * Whether programs of the framework can have a type. Common types of RoboFrame are known here beside those of ROS,
+   * but no node of ROS knows them.
+   *
+   * @param type its name
+   * @return false where a message of this type would be heard by nobody
+   */
+  default boolean canCarry(String type) {
+    return !type.startsWith("roboframe/");
+  }
+
+  /**
    * Receives the messages of a topic, from now on and from all who publish it.
    *
    * @param <M> the Java value of a message
@@ -76,6 +87,18 @@ public interface TopicClient {
    * @return what says them
    */
   TopicPublisher<DynamicMessage> messages(String topic, MessageSchema schema);
+
+  /**
+   * Offers a topic for what other robots say, as much and as often as they do.
+   *
+   * @param topic its name
+   * @param schema the type of its messages
+   * @param kept whether the last message is given to subscribers that come later
+   * @return what says them
+   */
+  default TopicPublisher<DynamicMessage> relayed(String topic, MessageSchema schema, boolean kept) {
+    return messages(topic, schema);
+  }
 
   /**
    * The definition of a type.

@@ -9,6 +9,7 @@ import org.robotui.api.port.CommandPort;
 import org.robotui.api.port.ServiceReply;
 import org.robotui.api.port.ServiceRequest;
 import org.robotui.data.command.MessageCommand;
+import org.robotui.data.command.RelayMessage;
 import org.robotui.data.marker.MarkerFeedback;
 
 /** The ports that every robot with topics has, whatever they are. */
@@ -29,6 +30,11 @@ public final class TopicPorts {
   public static final CommandPort<MessageCommand> PUBLISH =
       new CommandPort<>("publish", MessageCommand.class, Arity.MANY,
           "Publishes a message on a topic by its name; not on topics that move the robot.");
+
+  /** Says what other robots say. */
+  public static final CommandPort<RelayMessage> RELAY =
+      new CommandPort<>("relay", RelayMessage.class, Arity.MANY,
+          "Publishes on topics what bridges bring from other robots.");
 
   /** Handles interactive markers. */
   public static final CommandPort<MarkerFeedback> MARKER_FEEDBACK =

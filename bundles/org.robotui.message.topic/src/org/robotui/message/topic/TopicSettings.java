@@ -23,6 +23,8 @@ public record TopicSettings(
     List<Pattern> include,
     Map<String, List<String>> commands,
     boolean tf) {
+  /** All topics, by their whole names. */
+  public static final TopicSettings ALL = new TopicSettings("/", List.of(Pattern.compile(".*")), Map.of(), true);
   private static final Set<String> LISTENING = Set.of("namespace", "topics", "tf");
 
   /** Takes copies. */

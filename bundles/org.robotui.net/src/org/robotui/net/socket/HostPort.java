@@ -44,6 +44,26 @@ public record HostPort(String host, int port) {
   }
 
   /**
+   * Parses {@code HOST}, {@code HOST:PORT} or {@code :PORT}, as variables of the environment say where a server is.
+   *
+   * @param variable the name of the variable, for who reads the error
+   * @param written what it holds; nothing before the colon is this machine
+   * @param usual the port where none is written
+   * @return the host and port
+   * @throws IllegalArgumentException where it holds something else; names the variable, and says what to write
+   */
+  public static HostPort ofVariable(String variable, String written, int usual) {
+    int colon = written.lastIndexOf(':');
+    String host = colon < 0 ? written : written.substring(0, colon);
+    try {
+      return new HostPort(host.isEmpty() ? "localhost" : host,
+          colon < 0 ? usual : Integer.parseInt(written.substring(colon + 1)));
+    } catch (IllegalArgumentException e) {
+      throw new IllegalArgumentException(variable + " is '" + written + "'; write HOST or HOST:PORT", e);
+    }
+  }
+
+  /**
    * Looks the host up, which blocks while a name server is asked.
    *
    * @return the address

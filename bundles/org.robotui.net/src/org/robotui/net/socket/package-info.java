@@ -4,5 +4,5 @@
  * {@link java.io.IOException}. Times are {@link java.time.Duration}s; a time that is over is a
  * {@link java.net.SocketTimeoutException}.
  */
-@org.osgi.annotation.versioning.Version("1.1.0")
+@org.osgi.annotation.versioning.Version("1.2.0")
 package org.robotui.net.socket;

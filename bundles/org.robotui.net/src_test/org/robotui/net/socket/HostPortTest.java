@@ -29,4 +29,14 @@ class HostPortTest {
   void aHostIsNotLongerThanNamesMayBe() {
     assertThrows(IllegalArgumentException.class, () -> new HostPort("a".repeat(256), 1));
   }
+
+  @Test
+  void variablesNameAHostAPortOrBoth() {
+    assertEquals(new HostPort("robot", 1381), HostPort.ofVariable("CENTRALHOST", "robot", 1381));
+    assertEquals(new HostPort("robot", 7), HostPort.ofVariable("CENTRALHOST", "robot:7", 1381));
+    assertEquals(new HostPort("localhost", 7), HostPort.ofVariable("CENTRALHOST", ":7", 1381));
+    IllegalArgumentException wrong =
+        assertThrows(IllegalArgumentException.class, () -> HostPort.ofVariable("CENTRALHOST", "robot:x", 1381));
+    assertEquals("CENTRALHOST is 'robot:x'; write HOST or HOST:PORT", wrong.getMessage());
+  }
 }

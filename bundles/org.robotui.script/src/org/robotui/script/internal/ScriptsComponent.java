@@ -22,6 +22,7 @@ import org.robotui.api.script.ScriptFunction;
 import org.robotui.api.script.ScriptFunctions;
 import org.robotui.api.script.ScriptSession;
 import org.robotui.api.script.Scripts;
+import org.robotui.script.internal.action.ActionRecorder;
 import org.robotui.script.internal.engine.Session;
 import org.robotui.script.internal.function.StandardFunctions;
 import org.robotui.script.internal.socket.ScriptSocket;
@@ -78,5 +79,10 @@ public final class ScriptsComponent implements Scripts {
   @Override
   public Optional<Door> listen(Path folder) {
     return ScriptSocket.open(folder, this);
+  }
+
+  @Override
+  public ActionRecording record(Consumer<String> line) {
+    return new ActionRecorder(host, contributed, line);
   }
 }

@@ -16,6 +16,7 @@ import org.robotui.data.array.Bytes;
 import org.robotui.data.array.Doubles;
 import org.robotui.data.array.Floats;
 import org.robotui.data.command.MessageCommand;
+import org.robotui.data.command.RelayMessage;
 import org.robotui.data.command.VelocityCommand;
 import org.robotui.data.control.ControlPlugins;
 import org.robotui.data.control.Histogram;
@@ -147,6 +148,8 @@ public final class ValidValues {
         new MarkerFeedback("/feedback", "client", "goal", "move", MarkerFeedback.Event.POSE_UPDATE, MAP,
             Optional.empty(), POSE, 0, Optional.empty()),
         new MessageCommand("/talk", "std_msgs/String", Map.of("data", "hello")),
+        new RelayMessage("/pose", "", new StampedPose(MAP, POSE), Optional.empty(), RelayMessage.Original.NONE, false,
+            true, RelayMessage.Answer.NOBODY),
         new MapRecord("demo/State",
             Map.of("x", new FieldValue.Num(1.5, "1.5"), "on", new FieldValue.Flag(true), "name",
                 new FieldValue.Text("a"),

@@ -18,10 +18,14 @@ import java.util.function.Function;
 import java.util.stream.Stream;
 import org.robotui.api.FileKind;
 import org.robotui.api.UicType.Surface;
+import org.robotui.api.bridge.BridgeConfig;
 import org.robotui.api.command.Principal;
+import org.robotui.api.config.Schema;
 import org.robotui.api.config.Setting;
+import org.robotui.api.config.ValueType;
 import org.robotui.api.host.CheckReport;
 import org.robotui.api.host.Composition;
+import org.robotui.api.host.ConfigSettings;
 import org.robotui.api.host.FileOpener;
 import org.robotui.api.host.FileOutcome;
 import org.robotui.api.host.Host;
@@ -31,6 +35,8 @@ import org.robotui.api.host.InterfaceConfig;
 import org.robotui.api.host.Problem;
 import org.robotui.api.host.ReuseReport;
 import org.robotui.api.host.Ruic;
+import org.robotui.api.host.SettingsGroup;
+import org.robotui.api.host.SettingsOutcome;
 import org.robotui.api.host.WindowConfig;
 
 /** A host with RUICs that a test adds. Safe for all threads. */
@@ -43,6 +49,7 @@ public final class FakeHost implements Host {
   private final List<String> calls = new CopyOnWriteArrayList<>();
   private final AtomicInteger heartbeats = new AtomicInteger();
   private volatile Map<Path, String> texts = Map.of();
+  private volatile List<BridgeConfig> bridges = List.of();
   private volatile List<Problem> problems = List.of();
   private volatile ReuseReport reuse = ReuseReport.EMPTY;
   private volatile List<Installed> installed = List.of();
@@ -53,6 +60,9 @@ public final class FakeHost implements Host {
   private volatile List<FileKind> kinds = List.of();
   private volatile Function<Path, FileOutcome> opening =
       file -> new FileOutcome.NotOpened(file, "no robot interface opens it");
+  private volatile List<SettingsGroup> groups = List.of();
+  private volatile BiFunction<SettingsGroup, Map<String, Object>, SettingsOutcome> writing =
+      (group, values) -> new SettingsOutcome.Refused("no test has said what is written");
   private volatile BiFunction<Setting, Object, Optional<String>> wrong = (setting, value) -> Optional.empty();
 
   /**
@@ -151,6 +161,22 @@ public final class FakeHost implements Host {
   }
 
   /**
+   * Sets what bridges the files ask for.
+   *
+   * @param values the bridges
+   * @return this
+   */
+  public FakeHost bridging(BridgeConfig... values) {
+    bridges = List.of(values);
+    return this;
+  }
+
+  @Override
+  public List<BridgeConfig> bridges() {
+    return bridges;
+  }
+
+  /**
    * Sets what its RUICs use.
    *
    * @param report the matrix
@@ -170,6 +196,40 @@ public final class FakeHost implements Host {
   public FakeHost checking(BiFunction<Setting, Object, Optional<String>> check) {
     wrong = check;
     return this;
+  }
+
+  /**
+   * Sets what the files can say, and what comes of writing it.
+   *
+   * @param values the groups
+   * @param outcome is given what shall be written
+   * @return this
+   */
+  public FakeHost settable(List<SettingsGroup> values,
+      BiFunction<SettingsGroup, Map<String, Object>, SettingsOutcome> outcome) {
+    groups = List.copyOf(values);
+    writing = outcome;
+    return this;
+  }
+
+  @Override
+  public ConfigSettings settings() {
+    return new ConfigSettings() {
+      @Override
+      public List<SettingsGroup> groups() {
+        return groups;
+      }
+
+      @Override
+      public SettingsOutcome write(SettingsGroup group, Map<String, Object> values) {
+        return writing.apply(group, values);
+      }
+
+      @Override
+      public Schema always(SettingsGroup.Part part) {
+        return Schema.of(Setting.optional("title", new ValueType.Text(), "what users read"));
+      }
+    };
   }
 
   /**

@@ -28,6 +28,7 @@ import org.robotui.api.port.RawMessage;
 import org.robotui.api.port.SourceId;
 import org.robotui.data.Data;
 import org.robotui.data.Stamp;
+import org.robotui.data.command.RelayMessage;
 
 /**
  * Ports that a test fills, and that note down what is sent. Commands need the lease and are refused while the stop is
@@ -44,6 +45,7 @@ public final class FakePortAccess implements PortAccess {
   private final Map<SourceId, List<RawMessage>> held = new HashMap<>();
   private final Map<SourceId, Browser> browsers = new HashMap<>();
   private final List<String> sent = new CopyOnWriteArrayList<>();
+  private final List<Data> commands = new CopyOnWriteArrayList<>();
   private Function<Object, CallOutcome<Object>> answers = request -> new CallOutcome.Failed<>("no test answers");
   private volatile Principal principal = new Principal("nobody", "Nobody", Principal.Kind.SCRIPT);
 
@@ -68,6 +70,15 @@ public final class FakePortAccess implements PortAccess {
       ports.put(new Key(port.kind(), new SourceId(component, port.name())), port);
     }
     return this;
+  }
+
+  /**
+   * Takes ports away, as when a robot has gone.
+   *
+   * @param component id of the robot interface
+   */
+  public synchronized void withdraw(String component) {
+    ports.keySet().removeIf(key -> key.id().component().equals(component));
   }
 
   /**
@@ -183,6 +194,9 @@ public final class FakePortAccess implements PortAccess {
 
   @Override
   public CommandOutcome send(SourceId target, Data command, Duration validFor) {
+    if (command instanceof RelayMessage relayed && !relayed.guarded()) {
+      return accept(target, command);
+    }
     if (authority.stoppedBy().isPresent()) {
       return new CommandOutcome.Refused(CommandOutcome.Why.STOPPED, authority.robot() + " is stopped");
     }
@@ -190,8 +204,25 @@ public final class FakePortAccess implements PortAccess {
       return new CommandOutcome.Refused(CommandOutcome.Why.NO_LEASE,
           "nobody has control of " + authority.robot() + "; take control first");
     }
+    return accept(target, command);
+  }
+
+  private CommandOutcome accept(SourceId target, Data command) {
     sent.add(target + " " + command);
+    commands.add(command);
+    if (command instanceof RelayMessage relayed) {
+      relayed.answer().told(Optional.empty());
+    }
     return new CommandOutcome.Accepted();
+  }
+
+  /**
+   * The commands that were accepted.
+   *
+   * @return in order
+   */
+  public List<Data> commands() {
+    return List.copyOf(commands);
   }
 
   @Override

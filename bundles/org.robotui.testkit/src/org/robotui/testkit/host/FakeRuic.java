@@ -13,6 +13,7 @@ import java.util.function.Function;
 import org.robotui.api.Uic;
 import org.robotui.api.command.Authority;
 import org.robotui.api.command.Principal;
+import org.robotui.api.config.SettingsStore;
 import org.robotui.api.host.ComponentStatus;
 import org.robotui.api.host.InterfaceConfig;
 import org.robotui.api.host.Match;
@@ -40,6 +41,7 @@ public final class FakeRuic implements Ruic {
   private final FakeAuthority authority;
   private final FakePortAccess access;
   private final Map<String, Uic> uics = new ConcurrentHashMap<>();
+  private final Map<String, SettingsStore> settings = new ConcurrentHashMap<>();
   private final Map<String, String> titles = new ConcurrentHashMap<>();
   private final FakeAlerts alerts = new FakeAlerts();
   private final FakeSelection selection = new FakeSelection();
@@ -94,6 +96,18 @@ public final class FakeRuic implements Ruic {
     uics.put(id, uic);
     return component(new ComponentStatus(
         id, id, ComponentStatus.Kind.UIC, RuicState.SELECTED, "", Optional.empty()));
+  }
+
+  /**
+   * Gives a view settings.
+   *
+   * @param id of the view
+   * @param store its settings
+   * @return this
+   */
+  public FakeRuic settings(String id, SettingsStore store) {
+    settings.put(id, store);
+    return this;
   }
 
   /**
@@ -319,6 +333,11 @@ public final class FakeRuic implements Ruic {
   @Override
   public Optional<Uic> uic(String id) {
     return Optional.ofNullable(uics.get(id));
+  }
+
+  @Override
+  public Optional<SettingsStore> settings(String id) {
+    return Optional.ofNullable(settings.get(id));
   }
 
   @Override

@@ -55,7 +55,7 @@ final class CommandClauses {
       trial.next(sample);
     }
     trial.end();
-    Thread.sleep(Trial.MOMENT);
+    Trial.pass(Trial.MOMENT);
     require(trial.peer.heard().isEmpty(), "the robot heard " + trial.peer.heard());
   }
 
@@ -65,7 +65,7 @@ final class CommandClauses {
     trial.awaitStopped();
     int before = trial.peer.heard().size();
     trial.end();
-    Thread.sleep(Trial.MOMENT);
+    Trial.pass(Trial.MOMENT);
     require(trial.peer.heard().size() == before, "the robot heard what stops others: " + trial.peer.heard());
   }
 
@@ -75,7 +75,7 @@ final class CommandClauses {
     trial.awaitStopped();
     int before = trial.peer.heard().size();
     require(refuses(trial), "a motion is taken after the end");
-    Thread.sleep(Trial.MOMENT);
+    Trial.pass(Trial.MOMENT);
     require(trial.peer.heard().size() == before, "the robot heard " + trial.peer.heard().getLast() + " after the end");
   }
 

@@ -33,7 +33,7 @@ final class EndClauses {
 
   private static void calling(Trial trial) throws Exception {
     trial.begin();
-    Thread.sleep(Trial.MOMENT);
+    Trial.pass(Trial.MOMENT);
     trial.end();
     require(trial.link() instanceof LinkState.Disconnected, "after its end it is " + trial.link());
   }

@@ -35,7 +35,7 @@ final class LinkClauses {
     trial.await("it reports something", () -> !trial.context.links.isEmpty(), () -> "nothing");
     require(trial.context.links.getFirst() instanceof LinkState.Connecting,
         "the first state is " + trial.context.links.getFirst());
-    Thread.sleep(A_WHILE);
+    Trial.pass(A_WHILE);
     require(!trial.everConnected(), "it is connected to a robot that is away: " + trial.context.links);
     trial.peer.start();
     trial.awaitConnected();
@@ -55,7 +55,7 @@ final class LinkClauses {
     trial.peer.start();
     trial.peer.hang();
     trial.begin();
-    Thread.sleep(A_WHILE);
+    Trial.pass(A_WHILE);
     require(!trial.everConnected(), "it is connected to a robot that says nothing: " + trial.context.links);
     trial.peer.goOn();
     trial.awaitConnected();

@@ -8,6 +8,7 @@ import org.robotui.ui.UiContext;
 import org.robotui.ui.ViewSurface;
 import org.robotui.ui.ask.AskModel.Shown;
 import org.robotui.ui.control.Boxes;
+import org.robotui.ui.ask.Catalogue.Entry;
 
 /** The surface of a view that asks: what there is at the left, form and answer at the right. Display thread only. */
 public final class AskPane implements ViewSurface {
@@ -38,6 +39,11 @@ public final class AskPane implements ViewSurface {
     list = new EntryList(parts, context.theme(), words, model, this::refresh);
     detail = new AskDetail(parts, context.theme(), words, model, this::refresh);
     parts.setWeights(SHARES);
+  }
+
+  /** Chooses one, whatever the filter hides. */
+  void find(Entry entry) {
+    list.find(entry);
   }
 
   private boolean setFocus() {

@@ -7,7 +7,9 @@ import org.robotui.api.port.BrowsePort;
 import org.robotui.ui.Icon;
 import org.robotui.ui.SurfaceUic;
 import org.robotui.ui.UiContext;
+import org.robotui.ui.ViewItem;
 import org.robotui.ui.ViewKey;
+import org.robotui.ui.ask.Catalogue.Entry;
 
 /** A view that asks. What it has asked ends with the robot interface that was asked, not with the view. */
 public final class AskUic extends SurfaceUic<AskPane> {
@@ -42,6 +44,16 @@ public final class AskUic extends SurfaceUic<AskPane> {
   @Override
   protected void refresh(AskPane shown) {
     shown.refresh();
+  }
+
+  @Override
+  public List<ViewItem> items() {
+    return model.shown().listing().entries().stream().map(this::item).toList();
+  }
+
+  private ViewItem item(Entry entry) {
+    return new ViewItem(words.label(), entry.item().name(), entry.item().type(),
+        () -> atSurface(pane -> pane.find(entry)));
   }
 
   @Override

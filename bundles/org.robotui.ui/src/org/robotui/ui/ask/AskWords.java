@@ -20,6 +20,20 @@ public record AskWords(Kind kind, String things, String verb, String request, St
    * @return for example {@code 1 service}
    */
   public String counted(int count) {
-    return count + " " + (count == 1 ? things.replaceFirst("s$", "") : things);
+    return count + " " + (count == 1 ? singular() : things);
+  }
+
+  /**
+   * One of them as a label of its own.
+   *
+   * @return for example {@code Service}
+   */
+  String label() {
+    String one = singular();
+    return Character.toUpperCase(one.charAt(0)) + one.substring(1);
+  }
+
+  private String singular() {
+    return things.replaceFirst("s$", "");
   }
 }

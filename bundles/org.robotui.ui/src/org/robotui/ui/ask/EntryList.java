@@ -2,6 +2,7 @@ package org.robotui.ui.ask;
 
 import java.util.Comparator;
 import java.util.List;
+import java.util.function.Consumer;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.layout.GridData;
 import org.eclipse.swt.widgets.Composite;
@@ -23,9 +24,15 @@ final class EntryList {
 
   private final AskWords words;
   private final RowTable<Entry> table;
+  private final FilterField filter;
+  private final Consumer<Entry> choose;
 
   EntryList(Composite parent, Theme theme, AskWords words, AskModel model, Runnable changed) {
     this.words = words;
+    choose = entry -> {
+      model.choose(entry);
+      changed.run();
+    };
     Composite box = Boxes.panel(parent, theme, 1);
     Composite bar = Boxes.inset(box, theme, 1, Theme.STEP * 2, Theme.STEP + 1);
     bar.setLayoutData(new GridData(SWT.FILL, SWT.TOP, true, false));
@@ -33,7 +40,7 @@ final class EntryList {
         .order(Comparator.comparing((Entry e) -> e.item().name()));
     Column<Entry> types = Column.<Entry>words("Type", e -> e.item().type()).weight(2).role(Role.DIM).from(TYPES_FROM)
         .order(Comparator.comparing((Entry e) -> e.item().type()));
-    FilterField filter = new FilterField(bar, theme, "Filter " + words.things(), text -> {
+    filter = new FilterField(bar, theme, "Filter " + words.things(), text -> {
       model.filter(text);
       changed.run();
     });
@@ -42,10 +49,7 @@ final class EntryList {
         new RowTable<>(box, theme, List.of(names, types), e -> e).order(new RowOrder<>(names, false)).onOrder(changed);
     table.control().setLayoutData(Boxes.fill());
     table.list().named(words.things()).onFind(filter::focus)
-        .onSelect(rows -> rows.stream().findFirst().ifPresent(entry -> {
-          model.choose(entry);
-          changed.run();
-        }));
+        .onSelect(rows -> rows.stream().findFirst().ifPresent(choose));
     filter.onDown(() -> table.list().control().setFocus());
   }
 
@@ -74,6 +78,13 @@ final class EntryList {
       table.list().message(Health.NONE, "No match",
           "None of " + listing.entries().size() + " contains the words of the filter.");
     }
+  }
+
+  void find(Entry entry) {
+    filter.words("");
+    choose.accept(entry);
+    table.list().select(entry);
+    setFocus();
   }
 
   boolean setFocus() {

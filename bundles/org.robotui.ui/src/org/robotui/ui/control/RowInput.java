@@ -115,7 +115,8 @@ final class RowInput<R> {
   }
 
   private void key(Event event) {
-    if (keys.test(event)) {
+    // Keys with Alt are those of a view, such as moving a row itself.
+    if (keys.test(event) || (event.stateMask & SWT.ALT) != 0) {
       return;
     }
     int at = list.marks().leadIndex();

@@ -43,7 +43,8 @@ final class LayerNotes {
   private static List<LayerNote> of(LayerType type, List<LayerSlot> slots) {
     Map<Trouble, List<LayerNote>> troubled = new EnumMap<>(Trouble.class);
     for (LayerSlot slot : slots) {
-      trouble(slot).ifPresent(t -> troubled.computeIfAbsent(t, n -> new ArrayList<>()).add(note(type, slots, slot, t)));
+      trouble(type, slot)
+          .ifPresent(t -> troubled.computeIfAbsent(t, n -> new ArrayList<>()).add(note(type, slots, slot, t)));
     }
     List<LayerNote> notes = new ArrayList<>();
     troubled.forEach((trouble, each) -> {
@@ -58,7 +59,7 @@ final class LayerNotes {
     return notes;
   }
 
-  private static Optional<Trouble> trouble(LayerSlot slot) {
+  private static Optional<Trouble> trouble(LayerType type, LayerSlot slot) {
     if (slot.failed().isPresent()) {
       return Optional.of(Trouble.FAILED);
     }
@@ -67,7 +68,7 @@ final class LayerNotes {
     }
     return switch (slot.state()) {
       case InputState.Failed f -> Optional.of(Trouble.FAILED);
-      case InputState.Waiting w -> Optional.of(Trouble.WAITING);
+      case InputState.Waiting w -> type.occasional() ? Optional.empty() : Optional.of(Trouble.WAITING);
       case InputState.Stale s when s.refused() -> Optional.of(Trouble.REFUSED);
       case InputState s when slot.status() instanceof LayerStatus.NoFrame -> Optional.of(Trouble.UNPLACED);
       case InputState.Stale s -> Optional.of(Trouble.STALE);
@@ -76,8 +77,10 @@ final class LayerNotes {
   }
 
   private static LayerNote note(LayerType type, List<LayerSlot> slots, LayerSlot slot, Trouble trouble) {
-    String name = type.data() + (slots.size() > 1 ? " " + source(slots, slot) : "");
     InputState state = slot.state();
+    String source = source(slots, slot);
+    boolean named = slots.size() > 1 && !(trouble == Trouble.WAITING && state.explanation().startsWith(source));
+    String name = type.data() + (named ? " " + source : "");
     return switch (trouble) {
       case FAILED -> new LayerNote(Health.BAD, name + ": " + slot.failed().orElseGet(state::explanation));
       case WAITING -> new LayerNote(StateView.health(state), name + ": " + state.explanation());

@@ -84,6 +84,15 @@ public interface LayerType {
   }
 
   /**
+   * Whether its data comes only now and then, so that a source that has sent nothing yet is no trouble.
+   *
+   * @return true for example for what is planned
+   */
+  default boolean occasional() {
+    return false;
+  }
+
+  /**
    * Where it begins in the stack, before the user orders it: that of a metric grid is 0, of a floor plan 100, of what
    * sensors measure 300, of plans 500, of robots 700, of what lies on them 800.
    *

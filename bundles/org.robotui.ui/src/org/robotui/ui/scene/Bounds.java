@@ -81,6 +81,16 @@ public record Bounds(double minX, double minY, double maxX, double maxY) {
   }
 
   /**
+   * Tells whether they have a point in common.
+   *
+   * @param other another rectangle
+   * @return true also where only edges touch
+   */
+  public boolean intersects(Bounds other) {
+    return minX <= other.maxX && other.minX <= maxX && minY <= other.maxY && other.minY <= maxY;
+  }
+
+  /**
    * The extent along x.
    *
    * @return metres

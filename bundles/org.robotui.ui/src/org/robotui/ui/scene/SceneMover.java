@@ -126,7 +126,7 @@ public final class SceneMover {
    */
   public void fit(Bounds bounds) {
     letGo();
-    camera.fit(Optional.of(bounds));
+    camera.fitTo(bounds);
     moved.run();
   }
 

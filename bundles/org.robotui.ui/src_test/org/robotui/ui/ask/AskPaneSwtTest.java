@@ -69,6 +69,20 @@ class AskPaneSwtTest {
     }
   }
 
+  @Test
+  void whatTheSearchOfTheWindowFindsIsChosen() {
+    AskWords words = new AskWords(Kind.ACTION, "actions", "Send goal", "Goal", "Result", true);
+    Catalogue.Entry other = new Catalogue.Entry(GRAPH, new Item(Kind.ACTION, "/dock", "Dock"));
+    AskPane pane = new AskPane(shell, UiContext.of(theme, note -> {}), model, words);
+    model.filter("move");
+
+    pane.find(other);
+
+    assertEquals("Action", words.label());
+    assertEquals("", model.shown().filter());
+    assertEquals(other, model.shown().detail().orElseThrow().entry());
+  }
+
   private static void assertWhole(QuietButton button, int width) {
     Rectangle at = button.getBounds();
     int room = button.getParent().getClientArea().width;

@@ -15,7 +15,8 @@ import java.util.concurrent.ConcurrentHashMap;
 
 /**
  * Finds the files that models name. A root is a package, or contains packages, as with {@code ROS_PACKAGE_PATH}. What
- * lies outside, also by {@code ..} or a link, is refused. Methods read folders and may block; safe for all threads.
+ * lies outside, also by {@code ..} or a link, is refused; a link may lead from one root to another, as in a workspace
+ * that colcon installed by links. Methods read folders and may block; safe for all threads.
  */
 public final class PackageFolders {
   private static final long MOST_BYTES = 512L << 20;
@@ -112,7 +113,7 @@ public final class PackageFolders {
   }
 
   /** The file, where it really lies in the folder. */
-  private static PackageFile inside(Path base, Path file, String uri) throws IOException {
+  private PackageFile inside(Path base, Path file, String uri) throws IOException {
     if (!file.normalize().startsWith(base)) {
       return new PackageFile.Refused(
           "'" + shortened(uri) + "' leads out of its package " + base + ", which is not followed");
@@ -122,9 +123,10 @@ public final class PackageFolders {
     }
     Path folder = base.toRealPath();
     Path real = file.toRealPath();
-    if (!real.startsWith(folder)) {
+    if (!real.startsWith(folder) && !isInARoot(real)) {
       return new PackageFile.Refused("'" + shortened(uri) + "' leads out of its package " + folder
-          + " by a link, which is not followed; copy the file into the package");
+          + " by a link, which is not followed; copy the file into the package, or add the folder " + real.getParent()
+          + " to 'packages'");
     }
     if (!Files.isRegularFile(real)) {
       return new PackageFile.Refused(real + " is no file");
@@ -132,6 +134,15 @@ public final class PackageFolders {
     long size = Files.size(real);
     return size <= MOST_BYTES ? new PackageFile.Found(real, folder)
         : new PackageFile.Refused(real + " has " + size + " bytes, more than the " + MOST_BYTES + " that are read");
+  }
+
+  private boolean isInARoot(Path real) throws IOException {
+    for (Path root : roots) {
+      if (Files.isDirectory(root) && real.startsWith(root.toRealPath())) {
+        return true;
+      }
+    }
+    return false;
   }
 
   private static String decoded(String text) throws URISyntaxException {

@@ -47,6 +47,25 @@ class PackageFoldersTest {
   }
 
   @Test
+  void followsLinksOfPackagesAndFromOneRootToAnother() throws IOException {
+    Files.createDirectories(folder.resolve("elsewhere/legs/meshes"));
+    Files.writeString(folder.resolve("elsewhere/legs/meshes/l.stl"), "leg");
+    Files.createSymbolicLink(folder.resolve("src/legs"), folder.resolve("elsewhere/legs"));
+    Files.createDirectories(folder.resolve("install/share/arm/meshes"));
+    Files.createSymbolicLink(folder.resolve("install/share/arm/meshes/a.stl"),
+        folder.resolve("src/arm/meshes/a b.stl"));
+    Files.createSymbolicLink(folder.resolve("workspace"), folder.resolve("src"));
+
+    found(folders.find("package://legs/meshes/l.stl"));
+    found(new PackageFolders(List.of(folder.resolve("workspace"))).find("package://arm/meshes/a b.stl"));
+    Path installed = folder.resolve("install/share");
+    found(new PackageFolders(List.of(installed, folder.resolve("src"))).find("package://arm/meshes/a.stl"));
+    PackageFile alone = new PackageFolders(List.of(installed)).find("package://arm/meshes/a.stl");
+    String why = assertInstanceOf(PackageFile.Refused.class, alone).why();
+    assertTrue(why.contains("or add the folder " + folder.toRealPath().resolve("src/arm/meshes")), why);
+  }
+
+  @Test
   void findsFilesByTheirPathWithinRootsOnly() {
     found(folders.find("file://" + folder.resolve("src/arm/meshes/a b.stl")));
     assertTrue(refused("file://" + folder.resolve("secret")).contains("lies outside of the folders of packages"));

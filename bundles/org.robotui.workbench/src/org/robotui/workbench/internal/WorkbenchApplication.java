@@ -21,6 +21,7 @@ import org.eclipse.swt.widgets.Display;
 import org.eclipse.ui.IWorkbench;
 import org.eclipse.ui.PlatformUI;
 import org.robotui.api.UicType.Surface;
+import org.robotui.api.bridge.Bridges;
 import org.robotui.api.command.Principal;
 import org.robotui.api.config.Configuration;
 import org.robotui.api.config.Printable;
@@ -144,6 +145,8 @@ public final class WorkbenchApplication implements IApplication {
     try (ActiveTheme look = new ActiveTheme(display, theme, new PlatformTheme(display)::set)) {
       WorkbenchSession session = new WorkbenchSession(host, USER, display, arguments, state, look, components);
       look.onChange(() -> state.put(THEME, look.choice()));
+      components.thenRunAsync(() -> WorkbenchServices.bridges().ifPresent(Bridges::start),
+          task -> Thread.ofPlatform().daemon().name("robotui-start").start(task));
       return run(session, display);
     }
   }
@@ -198,9 +201,10 @@ public final class WorkbenchApplication implements IApplication {
    * The windows have gone; what we drive is stopped on a worker while the display still serves those who wait for it.
    */
   private static void end(Host host, Display display) {
-    CompletableFuture<Void> ended = CompletableFuture.runAsync(
-        () -> host.close(CLOSE_LIMIT).forEach(left -> log().warn("not ended in time: {}", left)),
-        task -> Thread.ofPlatform().daemon().name("robotui-close").start(task));
+    CompletableFuture<Void> ended = CompletableFuture.runAsync(() -> {
+      WorkbenchServices.bridges().ifPresent(Bridges::stop);
+      host.close(CLOSE_LIMIT).forEach(left -> log().warn("not ended in time: {}", left));
+    }, task -> Thread.ofPlatform().daemon().name("robotui-close").start(task));
     ended.whenComplete((nothing, failure) -> wake(display));
     while (!ended.isDone()) {
       if (!display.readAndDispatch()) {

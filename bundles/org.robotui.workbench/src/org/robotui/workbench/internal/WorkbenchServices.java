@@ -13,8 +13,13 @@ import org.osgi.framework.FrameworkUtil;
 import org.osgi.framework.ServiceReference;
 import org.osgi.framework.startlevel.FrameworkStartLevel;
 import org.osgi.util.tracker.ServiceTracker;
+import org.robotui.api.bridge.Bridges;
 import org.robotui.api.host.Host;
 import org.robotui.api.record.Recorder;
+import org.robotui.api.replay.OffsetEstimation;
+import org.robotui.api.replay.RecordingComparison;
+import org.robotui.api.replay.RecordingReports;
+import org.robotui.api.replay.RecordingSearch;
 import org.robotui.api.replay.Timeline;
 import org.robotui.api.script.Scripts;
 import org.robotui.install.FeatureInstaller;
@@ -79,9 +84,34 @@ public final class WorkbenchServices {
     return service(Recorder.class);
   }
 
+  /** What carries values between robots; not there where it is not installed. */
+  static Optional<Bridges> bridges() {
+    return service(Bridges.class);
+  }
+
   /** What runs scripts. */
   static Optional<Scripts> scripts() {
     return service(Scripts.class);
+  }
+
+  /** What searches recordings; not there where they cannot be played. */
+  static Optional<RecordingSearch> search() {
+    return service(RecordingSearch.class);
+  }
+
+  /** What compares recordings; not there where they cannot be played. */
+  static Optional<RecordingComparison> comparison() {
+    return service(RecordingComparison.class);
+  }
+
+  /** What estimates offsets of recordings; not there where they cannot be played. */
+  static Optional<OffsetEstimation> offsets() {
+    return service(OffsetEstimation.class);
+  }
+
+  /** What writes reports of recordings; not there where they cannot be played. */
+  static Optional<RecordingReports> reports() {
+    return service(RecordingReports.class);
   }
 
   /** Has somebody told of the timeline of recordings as it comes and goes; running the result ends that. */

@@ -27,7 +27,11 @@ import org.robotui.workbench.internal.model.Stops;
 import org.robotui.workbench.internal.model.WindowModel;
 import org.robotui.workbench.internal.model.Windows;
 import org.robotui.workbench.internal.pane.ExchangeDialog;
+import org.robotui.workbench.internal.timeline.EventSearch;
 import org.robotui.workbench.internal.timeline.LiveTimeline;
+import org.robotui.workbench.internal.timeline.RecordingCalls;
+import org.robotui.workbench.internal.timeline.RunCompare;
+import org.robotui.workbench.internal.timeline.TrackAnalysis;
 
 /** What all windows of one run of the workbench share. Display thread only. */
 public final class WorkbenchSession {
@@ -52,6 +56,13 @@ public final class WorkbenchSession {
   private final Alerts alerts = new Alerts(System::nanoTime);
   private final KeyStore keys;
   private final LiveTimeline timeline = new LiveTimeline(this::later);
+  private final EventSearch search = new EventSearch(this::later,
+      task -> Thread.ofPlatform().daemon().name("robotui-find").start(task), WorkbenchServices::search);
+  private final RecordingCalls calls =
+      new RecordingCalls(this::later, task -> Thread.ofPlatform().daemon().name("robotui-recordings").start(task));
+  private final RunCompare compare = new RunCompare(calls, WorkbenchServices::comparison);
+  private final TrackAnalysis analysis =
+      new TrackAnalysis(calls, WorkbenchServices::offsets, WorkbenchServices::reports);
 
   /**
    * Starts to follow the core.
@@ -137,6 +148,21 @@ public final class WorkbenchSession {
   /** The recordings that are open. */
   public LiveTimeline timeline() {
     return timeline;
+  }
+
+  /** What is searched for in recordings. */
+  public EventSearch search() {
+    return search;
+  }
+
+  /** What recordings are compared to. */
+  public RunCompare compare() {
+    return compare;
+  }
+
+  /** What takes long and is asked of recordings. */
+  public TrackAnalysis analysis() {
+    return analysis;
   }
 
   /** The theme. */

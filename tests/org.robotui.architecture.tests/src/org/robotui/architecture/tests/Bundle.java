@@ -14,7 +14,7 @@ record Bundle(String name, ManifestHeaders manifest, List<SourceFile> sources, L
 
   static Bundle at(Path folder) {
     return new Bundle(folder.getFileName().toString(), manifestOf(folder),
-        SourceFile.allIn(folder.resolve("src")), SourceFile.allIn(folder.resolve("src_test")));
+        new SourceFolder(folder.resolve("src")).sources(), new SourceFolder(folder.resolve("src_test")).sources());
   }
 
   List<SourceFile> allSources() {

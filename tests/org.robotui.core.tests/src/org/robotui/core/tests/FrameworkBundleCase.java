@@ -8,14 +8,18 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestInstance;
 import org.junit.jupiter.api.io.TempDir;
 import org.robotui.api.host.MatchState;
 import org.robotui.api.host.RuicState;
 
-/** A bundle that speaks a framework comes and goes while the simulated robot goes on. */
+/** A bundle that speaks a framework comes and goes while the simulated robot, one for all tests, goes on. */
+@TestInstance(TestInstance.Lifecycle.PER_CLASS)
 abstract class FrameworkBundleCase {
   private final Framework framework;
   private @TempDir Path folder;
@@ -47,9 +51,18 @@ abstract class FrameworkBundleCase {
     this.framework = framework;
   }
 
+  @BeforeAll
+  void simulate() throws IOException {
+    simulator = new Simulator(framework.options().toArray(String[]::new));
+  }
+
+  @AfterAll
+  void endRobot() throws Exception {
+    simulator.close();
+  }
+
   @BeforeEach
   void load() throws Exception {
-    simulator = new Simulator(framework.options().toArray(String[]::new));
     world = new World(folder);
     world.load("""
         ruics:
@@ -69,7 +82,6 @@ abstract class FrameworkBundleCase {
   @AfterEach
   void end() throws Exception {
     world.close();
-    simulator.close();
   }
 
   private void awaitScans() {

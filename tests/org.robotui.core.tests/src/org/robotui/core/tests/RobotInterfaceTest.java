@@ -76,7 +76,8 @@ class RobotInterfaceTest {
   @Test
   void aTypeThatNobodyKnewCompletesTheRuicWhenItAppears() {
     world.await("arm", RuicState.FAILED);
-    assertTrue(world.reason("arm").matches("type 'later' is not installed; installed are fake, lcm, player, ros, ros2"),
+    assertTrue(world.reason("arm").matches("type 'later' is not installed; "
+        + "installed are carmen, fake, lcm, player, ros, ros2, smartsoft, yarp"),
         world.reason("arm"));
 
     world.bring(later);

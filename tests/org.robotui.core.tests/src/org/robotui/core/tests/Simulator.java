@@ -28,7 +28,8 @@ final class Simulator implements AutoCloseable {
   Simulator(String... options) throws IOException {
     String classes = Stream
         .of("org.robotui.sim", "org.robotui.ros", "org.robotui.message", "org.robotui.player", "org.robotui.lcm",
-            "org.robotui.ros2", "org.robotui.rtps", "org.robotui.net", "org.robotui.geometry", "slf4j.api")
+            "org.robotui.ros2", "org.robotui.rtps", "org.robotui.carmen", "org.robotui.yarp", "org.robotui.smartsoft",
+            "org.robotui.net", "org.robotui.geometry", "slf4j.api")
         .map(Bundles::file).map(Path::toString).collect(Collectors.joining(File.pathSeparator));
     List<String> command = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
         "-XX:TieredStopAtLevel=1", "-Xmx128m", "-cp", classes, "org.robotui.sim.Main",
@@ -46,6 +47,12 @@ final class Simulator implements AutoCloseable {
       addresses.put(said[0], said[1]);
     }
     return addresses.get(variable);
+  }
+
+  /** Host and port as settings, from an address of the form HOST:PORT that this variable has. */
+  String hostAndPort(String variable) throws IOException {
+    String[] parts = address(variable).split(":");
+    return "host: '" + parts[0] + "', port: " + parts[1];
   }
 
   @Override

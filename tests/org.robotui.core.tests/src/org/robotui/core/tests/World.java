@@ -42,7 +42,8 @@ final class World implements AutoCloseable {
       "org.robotui.message.data", "org.robotui.message.topic", "org.robotui.ros",
       "org.robotui.rfic.ros", "org.robotui.rtps", "org.robotui.ros2", "org.robotui.rfic.ros2", "org.robotui.player",
       "org.robotui.rfic.player", "org.robotui.lcm",
-      "org.robotui.rfic.lcm");
+      "org.robotui.rfic.lcm", "org.robotui.carmen", "org.robotui.rfic.carmen", "org.robotui.yarp",
+      "org.robotui.rfic.yarp", "org.robotui.smartsoft", "org.robotui.rfic.smartsoft");
   private static final long SERVICE_MILLIS = 10_000;
 
   private final Path folder;

@@ -23,6 +23,7 @@ import org.robotui.core.internal.time.NanoClock;
 import org.robotui.data.Data;
 import org.robotui.data.command.Motion;
 import org.robotui.data.command.MotionLimits;
+import org.robotui.data.command.RelayMessage;
 
 /**
  * Decides who may command one robot, and stops what must not go on. Deciding never blocks: sending is done by the
@@ -98,7 +99,7 @@ public final class Arbiter implements Authority {
 
   private synchronized <T extends Data> CommandOutcome decide(
       Object output, Principal principal, CommandTarget<T> target, T command, Duration validFor) {
-    return obstacle(principal, target, validFor).<CommandOutcome>map(r -> r).orElseGet(() -> {
+    return obstacle(principal, target, command, validFor).<CommandOutcome>map(r -> r).orElseGet(() -> {
       Duration valid = validFor.compareTo(LONGEST) < 0 ? validFor : LONGEST;
       long deadline = clock.nanos() + valid.toNanos();
       if (!target.post(limited(command), deadline)) {
@@ -109,7 +110,7 @@ public final class Arbiter implements Authority {
     });
   }
 
-  private Optional<Refused> obstacle(Principal principal, CommandTarget<?> target, Duration validFor) {
+  private Optional<Refused> obstacle(Principal principal, CommandTarget<?> target, Data command, Duration validFor) {
     if (target.isClosed()) {
       return refused(Why.NOT_CONNECTED, target.id() + " is not offered any more");
     }
@@ -119,7 +120,10 @@ public final class Arbiter implements Authority {
     if (!target.link().isUp()) {
       return refused(Why.LINK_DOWN, "no link to " + robot + " (" + target.link().text() + ")");
     }
-    return validFor.isPositive() ? notAllowed(principal) : refused(Why.EXPIRED, "the command was too old");
+    if (!validFor.isPositive()) {
+      return refused(Why.EXPIRED, "the command was too old");
+    }
+    return command instanceof RelayMessage relayed && !relayed.guarded() ? Optional.empty() : notAllowed(principal);
   }
 
   /** Why a principal may not command this robot now. */

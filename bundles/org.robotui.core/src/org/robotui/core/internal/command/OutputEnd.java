@@ -10,7 +10,7 @@ import org.robotui.api.command.Output;
 import org.robotui.api.command.Principal;
 import org.robotui.api.port.InputState;
 import org.robotui.api.port.SourceId;
-import org.robotui.core.internal.port.RateMeter;
+import org.robotui.api.time.RateMeter;
 import org.robotui.core.internal.time.NanoClock;
 import org.robotui.data.Data;
 

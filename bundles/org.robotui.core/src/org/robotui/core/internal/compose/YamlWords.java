@@ -46,7 +46,8 @@ final class YamlWords {
     };
   }
 
-  private static ValueType element(ValueType type) {
+  /** What the elements of a list hold. */
+  static ValueType element(ValueType type) {
     return switch (type) {
       case ValueType.ListOf list -> list.element();
       case ValueType.WithPlace placed -> element(placed.value());

@@ -7,12 +7,11 @@ import org.robotui.api.config.Settings;
 import org.robotui.api.host.Problem;
 import org.robotui.core.internal.config.model.CheckedSettings;
 import org.robotui.core.internal.config.model.ComponentConfig;
+import org.robotui.core.internal.config.model.FixedWords;
 import org.robotui.core.internal.config.model.TypeLookup;
 
 /** Reads robot interfaces and views. */
 final class ComponentReader {
-  static final String ID = "[A-Za-z_][A-Za-z0-9_-]*";
-
   private final TypeLookup types;
   private final List<Problem> problems;
 
@@ -56,13 +55,18 @@ final class ComponentReader {
 
   /** What a component consists of; a word alone is its type. */
   private Optional<YamlValue.Section> body(YamlValue.Entry entry) {
-    if (!entry.key().matches(ID)) {
+    if (!entry.key().matches(FixedWords.ID)) {
       problems.add(entry.place().error("'" + entry.key() + "' is no id; use letters, digits, '_' and '-'"));
     }
     if (entry.value() instanceof YamlValue.Scalar s && !s.isEmpty()) {
-      return Optional.of(new YamlValue.Section(List.of(new YamlValue.Entry("type", s.place(), s)), s.place()));
+      return Optional.of(oneWord(s));
     }
     return Shape.section(entry.value(), "'" + entry.key() + "'", problems);
+  }
+
+  /** A component that is written as its type alone. */
+  static YamlValue.Section oneWord(YamlValue.Scalar type) {
+    return new YamlValue.Section(List.of(new YamlValue.Entry("type", type.place(), type)), type.place());
   }
 
   private Optional<String> text(YamlValue.Section section, String key) {

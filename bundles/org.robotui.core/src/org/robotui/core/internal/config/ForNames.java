@@ -10,9 +10,9 @@ import java.util.regex.Pattern;
 import org.robotui.api.host.Problem;
 
 /** The names for which a template is formed: {@code r1..r50}, {@code [r1, r2]}, or {@code r1..r5, leader}. */
-final class ForNames {
+public final class ForNames {
   /** The word of a section that makes it a template. */
-  static final String KEY = "for";
+  public static final String KEY = "for";
   /** What stands for the name. */
   static final String ROBOT = "${robot}";
 
@@ -30,7 +30,7 @@ final class ForNames {
   }
 
   /** Whether a text names robots; a number is a setting that happens to have the same word. */
-  static boolean isNames(String text) {
+  public static boolean isNames(String text) {
     return text.contains("..") || !NUMBER.matcher(text.strip()).matches();
   }
 

@@ -13,6 +13,7 @@ import org.robotui.api.layout.Layout;
 import org.robotui.core.internal.config.model.CheckedSettings;
 import org.robotui.core.internal.config.model.ComponentConfig;
 import org.robotui.core.internal.config.model.ConnectionConfig;
+import org.robotui.core.internal.config.model.FixedWords;
 import org.robotui.core.internal.config.model.RuicConfig;
 import org.robotui.core.internal.config.model.SafetyConfig;
 import org.robotui.core.internal.config.model.TypeLookup;
@@ -22,10 +23,6 @@ import org.robotui.data.geometry.FrameTransform;
 final class RuicReader {
   private static final List<String> OWN =
       List.of("type", "start", "rfics", "frames", "without", "uics", "connect", "layout", "perspectives", "safety");
-
-  private static final String AT_ONCE = "at_once";
-  private static final String SHOWN = "when_shown";
-  private static final List<String> STARTS = List.of(AT_ONCE, SHOWN);
 
   private final TypeLookup types;
   private final List<Problem> problems;
@@ -88,11 +85,12 @@ final class RuicReader {
   }
 
   private boolean startsShown(YamlValue value) {
-    String word = Shape.text(value, "'start'", problems).orElse(AT_ONCE);
-    if (!STARTS.contains(word)) {
-      problems.add(value.place().error("'start' must be one of " + String.join(", ", STARTS) + ", not '" + word + "'"));
+    String word = Shape.text(value, "'start'", problems).orElse(FixedWords.STARTS.getFirst());
+    if (!FixedWords.STARTS.contains(word)) {
+      problems.add(value.place()
+          .error("'start' must be one of " + String.join(", ", FixedWords.STARTS) + ", not '" + word + "'"));
     }
-    return SHOWN.equals(word);
+    return FixedWords.STARTS.getLast().equals(word);
   }
 
   private YamlValue.Section part(YamlValue.Section section, String key) {

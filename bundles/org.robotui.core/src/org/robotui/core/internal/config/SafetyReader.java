@@ -6,17 +6,14 @@ import java.util.Map;
 import java.util.Optional;
 import org.robotui.api.RficType;
 import org.robotui.api.config.Placed;
-import org.robotui.api.config.Schema;
-import org.robotui.api.config.Setting;
 import org.robotui.api.config.Settings;
-import org.robotui.api.config.TextRule;
-import org.robotui.api.config.ValueType;
 import org.robotui.api.host.Problem;
 import org.robotui.api.port.CallPort;
 import org.robotui.api.port.Port;
 import org.robotui.api.port.ServiceRequest;
 import org.robotui.api.port.SourceId;
 import org.robotui.core.internal.config.model.ComponentConfig;
+import org.robotui.core.internal.config.model.FixedWords;
 import org.robotui.core.internal.config.model.SafetyConfig;
 import org.robotui.core.internal.config.model.StopCall;
 import org.robotui.core.internal.config.model.TypeLookup;
@@ -24,24 +21,7 @@ import org.robotui.data.command.MotionLimits;
 
 /** Reads how robots are kept safe, by name of the robot. */
 final class SafetyReader {
-  /** Faster than any robot: what is above is a mistake, and would be no limit. */
-  private static final double FASTEST = 100;
-  private static final ValueType SPEED = new ValueType.Num(0, FASTEST, "m/s");
-  private static final ValueType TURN = new ValueType.Num(0, FASTEST, "rad/s");
-  private static final TextRule ID = TextRule.matching("the id of a robot interface, such as base", ComponentReader.ID);
-  private static final TextRule PORT = TextRule.matching("the name of a call port, such as services", "[^\\s.]+");
-  private static final TextRule SERVICE = TextRule.matching("the name of a service, such as /stop", "\\S+");
   private static final String INTERFACE = "interface";
-  private static final String SERVICES = "services";
-  private static final Schema STOP_CALL = Schema.of(
-      Setting.required(INTERFACE, placed(ID), "id of the robot interface"),
-      Setting.of("port", placed(PORT), Placed.nowhere(SERVICES), "its call port"),
-      Setting.required("service", new ValueType.Text(SERVICE), "the robot's name of the service"));
-  private static final Schema SAFETY = Schema.of(
-      Setting.optional("max_linear", SPEED, "no motion command is faster; without it, there is no limit"),
-      Setting.optional("max_angular", TURN, "no motion command turns faster; without it, there is no limit"),
-      Setting.of("lease", new ValueType.Flag(), true, "whether commands need the lease"),
-      Setting.optional("stop_call", new ValueType.Section(STOP_CALL), "what the robot is asked when it is stopped"));
 
   private final TypeLookup types;
   private final List<Problem> problems;
@@ -57,7 +37,8 @@ final class SafetyReader {
         problems);
     for (YamlValue.Entry entry : section.entries()) {
       Shape.section(entry.value(), "the safety of '" + entry.key() + "'", problems)
-          .ifPresent(s -> read.put(entry.key(), safety(entry, new ValueReader(problems).settings(s, SAFETY), rfics)));
+          .ifPresent(s -> read.put(entry.key(),
+              safety(entry, new ValueReader(problems).settings(s, FixedWords.SAFETY), rfics)));
     }
     return read;
   }
@@ -115,9 +96,5 @@ final class SafetyReader {
 
   private static boolean takesServices(Port port) {
     return port instanceof CallPort<?, ?> call && call.request() == ServiceRequest.class;
-  }
-
-  private static ValueType placed(TextRule rule) {
-    return new ValueType.WithPlace(new ValueType.Text(rule));
   }
 }

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
+import org.robotui.api.bridge.BridgeConfig;
 import org.robotui.api.config.Configuration;
 import org.robotui.api.host.Problem;
 import org.robotui.api.host.WindowConfig;
@@ -15,10 +16,11 @@ import org.robotui.core.internal.config.model.ConfigResult;
 import org.robotui.core.internal.config.model.ConfigSource;
 import org.robotui.core.internal.config.model.RuicConfig;
 import org.robotui.core.internal.config.model.TypeLookup;
+import org.robotui.core.internal.config.model.WrittenText;
 
 /** Reads configuration files. */
 public final class YamlConfigSource implements ConfigSource {
-  private static final List<String> KEYS = List.of("simulator", "control", "windows", "ruics");
+  private static final List<String> KEYS = List.of("simulator", "control", "windows", "bridges", "ruics");
 
   private final Variables variables;
 
@@ -35,7 +37,7 @@ public final class YamlConfigSource implements ConfigSource {
   public ConfigResult read(Path file, TypeLookup types) {
     List<Problem> problems = new ArrayList<>();
     return text(file, problems).map(text -> read(file, text, types))
-        .orElseGet(() -> new ConfigResult(problems, List.of(), List.of()));
+        .orElseGet(() -> ConfigResult.unusable(problems));
   }
 
   @Override
@@ -43,20 +45,30 @@ public final class YamlConfigSource implements ConfigSource {
     List<Problem> problems = new Mistakes();
     List<RuicConfig> ruics = new ArrayList<>();
     List<WindowConfig> windows = new ArrayList<>();
+    List<BridgeConfig> bridges = new ArrayList<>();
     try {
       YamlFile.parse(file.toString(), text, variables, problems)
           .flatMap(root -> Shape.section(root, "a configuration", problems))
           .ifPresent(root -> {
             readRuics(root, types, problems, ruics);
             root.get("windows").ifPresent(v -> windows.addAll(new WindowsReader(file, names(root), problems).read(v)));
+            root.get("bridges").ifPresent(v -> bridges
+                .addAll(new BridgesReader(file, BridgesReader.interfaces(root), problems).read(v)));
           });
     } catch (Mistakes.TooMany e) {
-      return new ConfigResult(
-          Stream.concat(Stream.of(whole(file, "the file has " + e.getMessage())), problems.stream()).toList(),
-          List.of(), List.of());
+      return ConfigResult.unusable(
+          Stream.concat(Stream.of(whole(file, "the file has " + e.getMessage())), problems.stream()).toList());
     }
     boolean spoilt = problems.stream().anyMatch(YamlConfigSource::spoilsAll);
-    return new ConfigResult(Repeated.merged(problems), spoilt ? List.of() : ruics, spoilt ? List.of() : windows);
+    return spoilt ? ConfigResult.unusable(Repeated.merged(problems))
+        : new ConfigResult(Repeated.merged(problems), ruics, windows, bridges);
+  }
+
+  @Override
+  public Optional<WrittenText> written(Path file, String text) {
+    List<Problem> problems = new ArrayList<>();
+    return YamlFile.parse(file.toString(), text, variables, problems)
+        .filter(YamlValue.Section.class::isInstance).map(root -> new YamlSections((YamlValue.Section) root));
   }
 
   /** Problems of the file as such; those of one RUIC leave the others usable. */

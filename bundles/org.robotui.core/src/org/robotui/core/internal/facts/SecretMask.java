@@ -81,6 +81,9 @@ final class SecretMask {
 
   private static String within(String line) {
     String text = BEARER.matcher(line).replaceAll("$1 " + MASK);
+    if (text.indexOf('=') < 0 && text.indexOf(':') < 0) {
+      return text; // the others need one of them, and take long to find that out of a long line
+    }
     text = USER.matcher(text).replaceAll("$1" + MASK + "@");
     text = QUERY.matcher(text).replaceAll("$1" + MASK);
     return WITHIN.matcher(text).replaceAll("$1" + MASK);

@@ -20,11 +20,13 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.stream.Stream;
 import org.robotui.api.UicType.Surface;
+import org.robotui.api.bridge.BridgeConfig;
 import org.robotui.api.command.Principal;
 import org.robotui.api.config.Setting;
 import org.robotui.api.host.CheckReport;
 import org.robotui.api.host.Composition;
 import org.robotui.api.host.ConfigChange;
+import org.robotui.api.host.ConfigSettings;
 import org.robotui.api.host.FileOpener;
 import org.robotui.api.host.Host;
 import org.robotui.api.host.HostListener;
@@ -39,6 +41,7 @@ import org.robotui.core.internal.command.DisplayWatch;
 import org.robotui.core.internal.command.StopWarmUp;
 import org.robotui.core.internal.compose.Composing;
 import org.robotui.core.internal.compose.FileOpening;
+import org.robotui.core.internal.compose.WrittenSettings;
 import org.robotui.core.internal.config.model.CheckedValue;
 import org.robotui.core.internal.config.model.ConfigResult;
 import org.robotui.core.internal.config.model.RuicConfig;
@@ -67,6 +70,7 @@ public final class Core implements Host {
   private final Notifier notifier = new Notifier();
   private final List<RuicRuntime> ruics = new CopyOnWriteArrayList<>();
   private final Map<Path, OverlayStore> overlays = new ConcurrentHashMap<>();
+  private final Map<Path, List<BridgeConfig>> bridges = Collections.synchronizedMap(new LinkedHashMap<>());
   private final Map<Path, List<WindowConfig>> windows = Collections.synchronizedMap(new LinkedHashMap<>());
   private final ScheduledThreadPoolExecutor timer = timer();
   private final ScheduledThreadPoolExecutor files = executor("robotui-files");
@@ -80,6 +84,7 @@ public final class Core implements Host {
   private final Watch watch;
   private final Services services;
   private final FileOpening opening;
+  private final WrittenSettings settings;
   private volatile Services.Stage stage = NO_STAGE;
 
   /** A core without RUICs. */
@@ -94,6 +99,7 @@ public final class Core implements Host {
         parts.wall(), parts.state().interfaces(), () -> List.copyOf(ruics),
         parts.bundles(), () -> stage);
     this.opening = new FileOpening(services, parts.configs(), parts.state()::opened, this::load);
+    this.settings = new WrittenSettings(parts.configs(), parts.registry(), parts.check(), configWatch::files);
     watch.add(new DisplayWatchdog(display, parts.bundles(), new SuspectFile(parts.state().suspects()), files,
         this::tellOfDisplay));
     watch.add(new MemoryWatch(MemoryWatch.heap(), () -> arbiters.stopAll(NO_STAGE.principal()),
@@ -150,6 +156,7 @@ public final class Core implements Host {
     List<Problem> more = new ArrayList<>();
     ConfigResult result = parts.configs().read(file, parts.registry());
     windows.put(file, result.windows());
+    bridges.put(file, result.bridges());
     ConfigChange change = rereading.read(file, result, config -> {
       int before = more.size();
       add(file, config, more);
@@ -217,6 +224,13 @@ public final class Core implements Host {
   }
 
   @Override
+  public List<BridgeConfig> bridges() {
+    synchronized (bridges) {
+      return bridges.values().stream().flatMap(List::stream).toList();
+    }
+  }
+
+  @Override
   public Composition compose(InterfaceConfig wanted) {
     return new Composing(wanted, services, parts.configs());
   }
@@ -224,6 +238,11 @@ public final class Core implements Host {
   @Override
   public FileOpener files() {
     return opening;
+  }
+
+  @Override
+  public ConfigSettings settings() {
+    return settings;
   }
 
   @Override

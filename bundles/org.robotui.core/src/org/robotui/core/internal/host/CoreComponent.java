@@ -24,10 +24,12 @@ import org.robotui.api.RficType;
 import org.robotui.api.RuicType;
 import org.robotui.api.UicType;
 import org.robotui.api.UicType.Surface;
+import org.robotui.api.bridge.BridgeConfig;
 import org.robotui.api.command.Principal;
 import org.robotui.api.config.Setting;
 import org.robotui.api.host.CheckReport;
 import org.robotui.api.host.Composition;
+import org.robotui.api.host.ConfigSettings;
 import org.robotui.api.host.FileOpener;
 import org.robotui.api.host.Host;
 import org.robotui.api.host.HostListener;
@@ -160,6 +162,11 @@ public final class CoreComponent implements Host {
   }
 
   @Override
+  public List<BridgeConfig> bridges() {
+    return core.bridges();
+  }
+
+  @Override
   public Composition compose(InterfaceConfig wanted) {
     return core.compose(wanted);
   }
@@ -167,6 +174,11 @@ public final class CoreComponent implements Host {
   @Override
   public FileOpener files() {
     return core.files();
+  }
+
+  @Override
+  public ConfigSettings settings() {
+    return core.settings();
   }
 
   @Override

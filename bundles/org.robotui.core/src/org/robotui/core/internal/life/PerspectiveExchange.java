@@ -11,6 +11,7 @@ import java.util.Optional;
 import java.util.Set;
 import org.robotui.api.UicType;
 import org.robotui.api.UicType.Surface;
+import org.robotui.api.config.Setting;
 import org.robotui.api.host.Arranging.PerspectiveImport;
 import org.robotui.api.layout.Arrangement;
 import org.robotui.api.layout.Arrangement.Added;
@@ -37,10 +38,12 @@ record PerspectiveExchange(RuicParts ruic, ArrangedPlan plan, ArrangedViews view
     return ruic.overlay().format().text(new PerspectiveFile(name, arrangement, described));
   }
 
-  /** What was chosen before what is written. */
+  /** What was chosen before what is written. Where a view was left is its user's alone. */
   private Map<String, Object> settings(ComponentConfig view) {
     Map<String, Object> settings = new HashMap<>(ruic.services().check().values(view.raw()));
     settings.putAll(ruic.overlay().settings(view.id()));
+    ruic.services().registry().uic(view.type()).stream().flatMap(type -> type.schema().settings().stream())
+        .filter(Setting::state).forEach(setting -> settings.remove(setting.name()));
     return settings;
   }
 

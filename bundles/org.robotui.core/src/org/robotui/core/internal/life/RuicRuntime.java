@@ -12,6 +12,7 @@ import org.robotui.api.Uic;
 import org.robotui.api.alert.AlertBoard;
 import org.robotui.api.command.Authority;
 import org.robotui.api.command.Principal;
+import org.robotui.api.config.SettingsStore;
 import org.robotui.api.host.ConfigChange;
 import org.robotui.api.host.Exchange;
 import org.robotui.api.host.ExchangeOutcome;
@@ -290,6 +291,11 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
   @Override
   public Optional<Uic> uic(String id) {
     return components.uic(id).flatMap(UicSlot::uic);
+  }
+
+  @Override
+  public Optional<SettingsStore> settings(String id) {
+    return components.uic(id).flatMap(UicSlot::settings);
   }
 
   @Override

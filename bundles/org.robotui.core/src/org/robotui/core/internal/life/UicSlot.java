@@ -7,6 +7,7 @@ import org.robotui.api.Uic;
 import org.robotui.api.UicType;
 import org.robotui.api.command.Authority;
 import org.robotui.api.config.Settings;
+import org.robotui.api.config.SettingsStore;
 import org.robotui.api.host.ComponentStatus;
 import org.robotui.api.host.RuicState;
 import org.robotui.api.port.SourceId;
@@ -79,6 +80,10 @@ final class UicSlot extends Slot<UicType, UicInstance> {
 
   Optional<Uic> uic() {
     return instance().flatMap(UicInstance::made);
+  }
+
+  Optional<SettingsStore> settings() {
+    return instance().map(UicInstance::settings);
   }
 
   String title() {

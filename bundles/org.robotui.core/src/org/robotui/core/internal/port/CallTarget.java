@@ -5,8 +5,8 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ScheduledExecutorService;
-import java.util.function.Function;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.Function;
 import org.robotui.api.command.Principal;
 import org.robotui.api.host.PortStatus;
 import org.robotui.api.port.CallHandler;
@@ -14,6 +14,7 @@ import org.robotui.api.port.CallPort;
 import org.robotui.api.port.Caller.Call;
 import org.robotui.api.port.Caller.Progress;
 import org.robotui.api.port.SourceId;
+import org.robotui.api.time.RateMeter;
 import org.robotui.core.internal.time.NanoClock;
 
 /** A way to ask a robot, as offered. */

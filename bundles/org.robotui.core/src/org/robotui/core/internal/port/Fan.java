@@ -9,6 +9,7 @@ import org.robotui.api.port.Envelope;
 import org.robotui.api.port.Intake;
 import org.robotui.api.port.RawMessage;
 import org.robotui.api.port.SourceId;
+import org.robotui.api.time.RateMeter;
 import org.robotui.data.Conflation;
 import org.robotui.data.Data;
 import org.robotui.data.DataType;

@@ -202,6 +202,18 @@ class ArrangingTest {
   }
 
   @Test
+  void whereAViewWasLeftIsKeptHereAndNotGivenToOthers() {
+    arranging().keep("Mine");
+    String before = arranging().export("Mine").orElseThrow();
+    map.context().settings().set("left", 7.0);
+    assertEquals(before, arranging().export("Mine").orElseThrow());
+    PerspectiveImport.Kept kept = assertInstanceOf(PerspectiveImport.Kept.class, arranging().take(before));
+    assertEquals(List.of(), arranging().perspectives().get(kept.name()).arrangement().added(), "it is the same map");
+    restart(YAML);
+    assertEquals(7.0, map.context().settings().current().number("left"));
+  }
+
+  @Test
   void typesSayWhetherTheyFit() {
     Await.until("the scan is offered", () -> arranging().types().stream().allMatch(ViewFit::fits));
     assertEquals(List.of("camera", "map"), arranging().types().stream().map(ViewFit::type).toList());

@@ -362,7 +362,8 @@ class CoreTest {
     ruic.connect(new SourceId("map", "scan"), new SourceId("base", "rear"));
     List<SourceId> rear = List.of(new SourceId("base", "rear"));
     Await.until("it is connected", () -> bench.match("map.scan").orElseThrow().peers().equals(rear));
-    map.context().settings().set("zoom", 20.0);
+    ruic.settings("map").orElseThrow().set("zoom", 20.0);
+    assertEquals(20.0, map.context().settings().current().number("zoom"));
     bench.close();
     start();
     running();

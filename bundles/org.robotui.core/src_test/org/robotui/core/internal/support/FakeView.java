@@ -95,7 +95,8 @@ public class FakeView implements UicType {
   public Descriptor descriptor() {
     return new Descriptor(id, "Fake view", "",
         Schema.of(Setting.of("follow", new ValueType.Flag(), false, ""),
-            Setting.of("zoom", new ValueType.Num(1, 100, ""), 10.0, "")),
+            Setting.of("zoom", new ValueType.Num(1, 100, ""), 10.0, ""),
+            Setting.optional("left", new ValueType.Num(0, 100, ""), "").asState()),
         ports);
   }
 }

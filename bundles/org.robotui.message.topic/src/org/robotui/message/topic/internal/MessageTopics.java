@@ -9,14 +9,12 @@ import org.robotui.api.port.CommandSink;
 import org.robotui.data.command.MessageCommand;
 import org.robotui.data.command.Motion;
 import org.robotui.message.DynamicCodec;
-import org.robotui.message.DynamicMessage;
 import org.robotui.message.MessageException;
 import org.robotui.message.MessageSchema;
 import org.robotui.message.SchemaLookup;
 import org.robotui.message.data.CommandType;
 import org.robotui.message.topic.TopicClient;
 import org.robotui.message.topic.TopicGraph;
-import org.robotui.message.topic.TopicPublisher;
 
 /**
  * Says single messages of any type on any topic that somebody listens to. A topic is advertised with its first message,
@@ -24,12 +22,10 @@ import org.robotui.message.topic.TopicPublisher;
  * latches: what was said is not said again to those who come later.
  */
 public final class MessageTopics implements CommandSink<MessageCommand>, AutoCloseable {
-  private static final Duration PATIENCE = Duration.ofMillis(1500);
-  private static final Duration GATHERING = Duration.ofMillis(150);
   private static final Duration IDLE = Duration.ofSeconds(30);
 
   private final TopicClient client;
-  private final Map<String, Topic> topics = new HashMap<>();
+  private final Map<String, PatientTopic> topics = new HashMap<>();
   private volatile Map<String, String> listened = Map.of();
 
   /**
@@ -83,67 +79,26 @@ public final class MessageTopics implements CommandSink<MessageCommand>, AutoClo
     }
   }
 
-  private Topic topic(MessageCommand command, MessageSchema schema) {
+  private PatientTopic topic(MessageCommand command, MessageSchema schema) {
     return topics.computeIfAbsent(command.topic(),
-        t -> new Topic(client.messages(t, schema)));
+        t -> new PatientTopic(client.messages(t, schema)));
   }
 
   /** Says what waited for its listeners, and gives up what is not used. */
   public synchronized void tick() {
-    for (Iterator<Topic> all = topics.values().iterator(); all.hasNext();) {
-      Topic topic = all.next();
+    for (Iterator<PatientTopic> all = topics.values().iterator(); all.hasNext();) {
+      PatientTopic topic = all.next();
       topic.tick();
       if (topic.idleNanos() > IDLE.toNanos()) {
         all.remove();
-        topic.publisher.close();
+        topic.close();
       }
     }
   }
 
   @Override
   public synchronized void close() {
-    topics.values().forEach(t -> t.publisher.close());
+    topics.values().forEach(PatientTopic::close);
     topics.clear();
-  }
-
-  /** One advertised topic. */
-  private static final class Topic {
-    private final TopicPublisher<DynamicMessage> publisher;
-    private final long since = System.nanoTime();
-    private Optional<DynamicMessage> waiting = Optional.empty();
-    private long connectedAt;
-    private long saidAt = since;
-    private boolean ready;
-
-    Topic(TopicPublisher<DynamicMessage> publisher) {
-      this.publisher = publisher;
-    }
-
-    void say(DynamicMessage message) {
-      saidAt = System.nanoTime();
-      if (ready) {
-        publisher.publish(message);
-      } else {
-        waiting = Optional.of(message);
-      }
-    }
-
-    /** The first listener is given some time for the others to come, so that all hear the first message. */
-    void tick() {
-      long now = System.nanoTime();
-      if (!ready && connectedAt == 0 && publisher.subscribers() > 0) {
-        connectedAt = now;
-      }
-      boolean gathered = connectedAt != 0 && now - connectedAt > GATHERING.toNanos();
-      if (!ready && (gathered || now - since > PATIENCE.toNanos())) {
-        ready = true;
-        waiting.ifPresent(publisher::publish);
-        waiting = Optional.empty();
-      }
-    }
-
-    long idleNanos() {
-      return System.nanoTime() - saidAt;
-    }
   }
 }

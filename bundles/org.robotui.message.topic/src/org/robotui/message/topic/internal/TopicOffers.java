@@ -17,7 +17,8 @@ import org.robotui.message.topic.TopicPorts;
 /** Keeps the offered ports equal to the graph. Used by the one thread that follows the graph, but for closing. */
 public final class TopicOffers implements AutoCloseable {
   private static final Set<String> TRANSFORMS = Set.of("tf", "tf_static");
-  private static final Set<String> OWN = Set.of(TopicPorts.PUBLISH.name(), TopicPorts.MARKER_FEEDBACK.name());
+  private static final Set<String> OWN =
+      Set.of(TopicPorts.PUBLISH.name(), TopicPorts.RELAY.name(), TopicPorts.MARKER_FEEDBACK.name());
 
   private final TopicScope scope;
   private final Adapters adapters = new Adapters();

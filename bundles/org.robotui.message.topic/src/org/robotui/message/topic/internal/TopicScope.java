@@ -1,5 +1,7 @@
 package org.robotui.message.topic.internal;
 
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 import org.robotui.api.RficContext;
 import org.robotui.api.link.Pulse;
 import org.robotui.message.topic.TopicClient;
@@ -13,9 +15,10 @@ import org.robotui.message.topic.TopicSettings;
  * @param client the framework's topics
  * @param clock the robot's time
  * @param pulse when the robot was heard last
+ * @param relayed topics on which we say what other robots say; any thread
  */
 public record TopicScope(RficContext context, TopicSettings settings, TopicClient client, SessionClock clock,
-    Pulse pulse) {
+    Pulse pulse, Set<String> relayed) {
   /**
    * Creates a scope.
    *
@@ -24,6 +27,7 @@ public record TopicScope(RficContext context, TopicSettings settings, TopicClien
    * @param client the framework's topics
    */
   public TopicScope(RficContext context, TopicSettings settings, TopicClient client) {
-    this(context, settings, client, new SessionClock(context, client), new Pulse());
+    this(context, settings, client, new SessionClock(context, client), new Pulse(),
+        ConcurrentHashMap.newKeySet());
   }
 }

@@ -3,15 +3,13 @@ package org.robotui.message.topic.internal;
 import java.util.Optional;
 import org.robotui.api.port.Arity;
 import org.robotui.api.port.Publication;
-import org.robotui.api.port.RawMessage;
 import org.robotui.api.port.StreamPort;
-import org.robotui.api.replay.RecordedValue;
 import org.robotui.data.Data;
 import org.robotui.data.Stamp;
-import org.robotui.data.record.DynamicRecord;
 import org.robotui.message.data.Adapter;
 import org.robotui.message.data.FrameNames;
 import org.robotui.message.topic.Arrival;
+import org.robotui.message.topic.HistoryConversion;
 import org.robotui.message.topic.TopicListener;
 import org.robotui.message.topic.TopicSubscription;
 
@@ -113,15 +111,15 @@ final class TopicStream implements Followed {
   /** Holds the types of one adapter together. */
   private final class Entry<M, D extends Data> implements TopicListener<M> {
     private final Adapter<M, D> typed;
-    private final String port;
     private final Publication<D> publication;
 
     Entry(Adapter<M, D> typed) {
       this.typed = typed;
-      this.port = scope.settings().portName(topic);
+      String port = scope.settings().portName(topic);
       StreamPort<D> stream = new StreamPort<>(port, typed.data(), Arity.MANY, topic + ", " + typed.type());
       this.publication = scope.context().offers().stream(stream, w -> wanted = w);
-      scope.client().history(port, topic, typed.type(), typed.form(), this::recorded)
+      scope.client().history(port, topic, typed.type(), typed.form(),
+          HistoryConversion.of(typed, port, scope.clock()::names))
           .ifPresent(publication::history);
     }
 
@@ -132,19 +130,21 @@ final class TopicStream implements Followed {
     @Override
     public void received(M message, Arrival arrival) {
       heard(arrival);
+      if (isOurs(arrival)) {
+        return;
+      }
       FrameNames names = scope.clock().names();
       try {
         typed.convert().apply(message, names).ifPresent(value -> publication.publish(value, stamp(message, names),
-            arrival.receiveNanos(), Optional.of(raw(value, arrival))));
+            arrival.receiveNanos(), Optional.of(arrival.raw(typed.type(), value))));
       } catch (IllegalArgumentException | ArithmeticException e) {
         lost(String.valueOf(e.getMessage()), arrival);
       }
     }
 
-    private Optional<RecordedValue> recorded(M message, Arrival arrival, long time) {
-      FrameNames names = scope.clock().names();
-      return typed.convert().apply(message, names)
-          .map(value -> new RecordedValue(port, value, time, stamp(message, names), Optional.of(raw(value, arrival))));
+    /** What a bridge brought here is no news of this robot: it would be carried back. */
+    private boolean isOurs(Arrival arrival) {
+      return scope.relayed().contains(topic) && arrival.sender().equals(scope.client().name());
     }
 
     private Optional<Stamp> stamp(M message, FrameNames names) {
@@ -164,11 +164,6 @@ final class TopicStream implements Followed {
 
     private void lost(String reason, Arrival arrival) {
       TopicIntake.lost(publication, topic, reason, arrival);
-    }
-
-    private RawMessage raw(D value, Arrival arrival) {
-      return arrival.raw(typed.type(),
-          bytes -> value instanceof DynamicRecord r ? Optional.of(r) : arrival.reading().apply(bytes));
     }
   }
 }

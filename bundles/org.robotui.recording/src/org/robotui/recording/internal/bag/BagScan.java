@@ -22,12 +22,14 @@ final class BagScan {
   private final BagConnections connections = new BagConnections(index.channels());
   private final DamageList damages;
   private final BagSource source;
+  private final RecordFinder finder;
 
   BagScan(FileBytes file, DamageList damages) {
     this.file = file;
     this.damages = damages;
     window = new ByteWindow(file);
     source = new BagSource(file, connections, damages);
+    finder = new RecordFinder(file, window, BagFields.CHUNK, FARTHEST_KIND);
   }
 
   FileIndex index() {
@@ -46,7 +48,7 @@ final class BagScan {
         read(at, record.get());
         at = Math.min(record.get().end(), file.size());
       } else {
-        long next = nextChunk(at + 1);
+        long next = finder.next(at + 1, this::isChunk);
         damages.add(at, "there is no record, so that " + (next - at) + " bytes were left out");
         at = next;
       }
@@ -78,30 +80,6 @@ final class BagScan {
     } catch (MalformedRecord e) {
       damages.add(at, "a record was left out: " + e.getMessage());
     }
-  }
-
-  /** A chunk is found by the field that says its kind, and begins so far before it that its header is consistent. */
-  private long nextChunk(long from) throws RecordingException {
-    long place = from;
-    while (place < file.size()) {
-      place = window.find((byte) BagFields.CHUNK, place);
-      if (isKind(place)) {
-        long earliest = Math.max(from, place - FARTHEST_KIND);
-        for (long start = place - 2L * Integer.BYTES - 3; start >= earliest; start--) {
-          if (isChunk(start)) {
-            return start;
-          }
-        }
-      }
-      place++;
-    }
-    return file.size();
-  }
-
-  /** The bytes before it are {@code op=} after the length of such a field. */
-  private boolean isKind(long place) throws RecordingException {
-    return place < file.size() && place >= 7 && window.u32(place - 7) == 4 && window.u8(place - 3) == 'o'
-        && window.u8(place - 2) == 'p' && window.u8(place - 1) == '=';
   }
 
   private boolean isChunk(long start) throws RecordingException {

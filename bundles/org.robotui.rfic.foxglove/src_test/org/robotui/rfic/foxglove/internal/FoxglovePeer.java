@@ -1,14 +1,12 @@
 package org.robotui.rfic.foxglove.internal;
 
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
-import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.stream.Collectors;
 import org.robotui.api.Rfic;
 import org.robotui.api.RficContext;
@@ -16,38 +14,24 @@ import org.robotui.data.Data;
 import org.robotui.data.command.Motion;
 import org.robotui.data.command.VelocityCommand;
 import org.robotui.geometry.Vector3;
-import org.robotui.testkit.rfic.Capability;
-import org.robotui.testkit.rfic.Gate;
-import org.robotui.testkit.rfic.Peer;
+import org.robotui.testkit.rfic.GatedPeer;
 import org.robotui.testkit.rfic.Sample;
 
-/** A base behind a server, which is behind a gate. What it says and in which encodings is another matter. */
-final class FoxglovePeer implements Peer {
+/** A base behind a server, which is behind a gate(). What it says and in which encodings is another matter. */
+final class FoxglovePeer extends GatedPeer {
   private static final VelocityCommand MOTION =
       new VelocityCommand(new Vector3(0.3, 0.1, 0.2), new Vector3(0.4, 0.5, -0.2));
 
   private final Dialect dialect;
-  private final Gate gate;
-  private final List<Data> heard = new CopyOnWriteArrayList<>();
   private Optional<FoxgloveServer> server = Optional.empty();
 
   FoxglovePeer(Dialect dialect) {
     this.dialect = dialect;
-    try {
-      gate = new Gate();
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
-  }
-
-  @Override
-  public Map<Capability, String> lacks() {
-    return Map.of();
   }
 
   @Override
   public Rfic create(RficContext context) {
-    return FoxgloveCase.rfic(context, Map.of("url", "ws://127.0.0.1:" + gate.port(), "velocity", List.of("cmd_vel")));
+    return FoxgloveCase.rfic(context, Map.of("url", "ws://127.0.0.1:" + port(), "velocity", List.of("cmd_vel")));
   }
 
   @Override
@@ -55,25 +39,15 @@ final class FoxglovePeer implements Peer {
     FoxgloveServer opened = new FoxgloveServer(dialect.capabilities(), dialect.encodings());
     dialect.offer(opened);
     server = Optional.of(opened);
-    gate.open(opened.port());
+    gate().open(opened.port());
   }
 
   @Override
   public void kill() {
-    gate.shut();
+    gate().shut();
     take();
     server.ifPresent(FoxgloveServer::close);
     server = Optional.empty();
-  }
-
-  @Override
-  public void hang() {
-    gate.hold();
-  }
-
-  @Override
-  public void goOn() {
-    gate.goOn();
   }
 
   @Override
@@ -115,14 +89,14 @@ final class FoxglovePeer implements Peer {
   @Override
   public List<Data> heard() {
     take();
-    return List.copyOf(heard);
+    return super.heard();
   }
 
   /** What this server heard since it was asked. */
   private void take() {
     server.ifPresent(there -> {
       for (FoxgloveServer.Said each = there.said.poll(); each != null; each = there.said.poll()) {
-        heard.add(dialect.heard(each));
+        hears(dialect.heard(each));
       }
     });
   }
@@ -134,16 +108,5 @@ final class FoxglovePeer implements Peer {
         .collect(Collectors.toCollection(TreeSet::new));
     there.subscriptions.forEach(each -> all.add("subscribes " + each.channel()));
     return all;
-  }
-
-  @Override
-  public int links() {
-    return gate.links();
-  }
-
-  @Override
-  public void close() {
-    kill();
-    gate.close();
   }
 }

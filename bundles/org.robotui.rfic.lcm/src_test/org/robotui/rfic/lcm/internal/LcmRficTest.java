@@ -18,6 +18,9 @@ import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.ThreadFactory;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
+import java.util.Deque;
+import java.util.Optional;
+import java.util.concurrent.ConcurrentLinkedDeque;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -31,11 +34,13 @@ import org.robotui.api.port.CommandSink.Sent;
 import org.robotui.data.Data;
 import org.robotui.data.FrameId;
 import org.robotui.data.command.MessageCommand;
+import org.robotui.data.command.RelayMessage;
 import org.robotui.data.command.VelocityCommand;
 import org.robotui.data.navigation.NavigationGoal;
 import org.robotui.data.record.DynamicRecord;
 import org.robotui.data.record.FieldPath;
 import org.robotui.data.record.FieldValue;
+import org.robotui.data.record.MapRecord;
 import org.robotui.data.sensor.Battery;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.guard.Guards;
@@ -278,6 +283,27 @@ class LcmRficTest {
     assertRefused("has no member 'onn'", new MessageCommand("MOTORS", "robotui.motors_t", Map.of("onn", true)));
     sayUntil("LOG", "robotui.log_t", Map.of(), () -> context.streams.containsKey("LOG"));
     assertRefused("LOG carries robotui.log_t", new MessageCommand("LOG", "robotui.motors_t", Map.of()));
+  }
+
+  @Test
+  void whatOtherRobotsSayBecomesMessagesOfChannels() throws Exception {
+    MapRecord fields = new MapRecord("robotui.motors_t", Map.of("on", new FieldValue.Num(1, "1")));
+    await(() -> relay("MOTORS", fields).isEmpty());
+    assertEquals(1, received().number("on").orElseThrow());
+    assertTrue(relay("VELOCITY", new MapRecord("robotui.velocity_t", Map.of())).orElseThrow()
+        .contains("moves the robot"));
+    assertTrue(relay("FAR", new Battery(12, 0, 0.5, Battery.Status.FULL)).orElseThrow()
+        .contains("with 'type', and its fields with 'fields'"));
+  }
+
+  /** Why it was not said; what became of it is told besides. */
+  private Optional<String> relay(String channel, Data value) {
+    Deque<Optional<String>> told = new ConcurrentLinkedDeque<>();
+    Sent sent = send("relay", new RelayMessage(channel, "", value, Optional.empty(), RelayMessage.Original.NONE, false,
+        false, told::add));
+    Optional<String> refusal = sent instanceof Sent.Refused refused ? Optional.of(refused.reason()) : Optional.empty();
+    assertEquals(List.of(refusal), List.copyOf(told));
+    return refusal;
   }
 
   private void assertRefused(String part, MessageCommand command) {

@@ -3,7 +3,6 @@ package org.robotui.rfic.line.internal;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStreamReader;
-import java.io.UncheckedIOException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
@@ -14,12 +13,10 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
-import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.locks.LockSupport;
 import org.robotui.api.Rfic;
 import org.robotui.api.RficContext;
 import org.robotui.data.ClockKind;
-import org.robotui.data.Data;
 import org.robotui.data.FrameId;
 import org.robotui.data.Stamp;
 import org.robotui.data.array.Doubles;
@@ -30,30 +27,19 @@ import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
 import org.robotui.net.socket.HostPort;
 import org.robotui.testkit.rfic.Capability;
-import org.robotui.testkit.rfic.Gate;
-import org.robotui.testkit.rfic.Peer;
+import org.robotui.testkit.rfic.GatedPeer;
 import org.robotui.testkit.rfic.Sample;
 
 /** A robot that speaks in lines of text, in millimetres and degrees. */
-class LinePeer implements Peer {
+class LinePeer extends GatedPeer {
   private static final Sample POSE = new Sample("pose",
       new Odometry(new FrameId("robby", "odom"), new FrameId("robby", "base"), RigidTransform.planar(1.5, -2, 0),
           Doubles.EMPTY, Vector3.ZERO, Vector3.ZERO, Doubles.EMPTY),
       Optional.of(Stamp.of(1_700_000_000L, 0, ClockKind.ROBOT)));
   private static final long TICK_NANOS = 100_000_000;
 
-  private final List<Data> heard = new CopyOnWriteArrayList<>();
   private final Map<Socket, Boolean> callers = new ConcurrentHashMap<>();
-  private final Gate gate;
   private Optional<ServerSocket> server = Optional.empty();
-
-  LinePeer() {
-    try {
-      gate = new Gate();
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
-  }
 
   @Override
   public Map<Capability, String> lacks() {
@@ -62,7 +48,7 @@ class LinePeer implements Peer {
 
   @Override
   public Rfic create(RficContext context) {
-    return LineRficType.rfic(context, new LineSettings(new HostPort("127.0.0.1", gate.port()), Duration.ofSeconds(1)));
+    return LineRficType.rfic(context, new LineSettings(new HostPort("127.0.0.1", port()), Duration.ofSeconds(1)));
   }
 
   @Override
@@ -70,7 +56,7 @@ class LinePeer implements Peer {
     ServerSocket opened = new ServerSocket(0, 50, InetAddress.getLoopbackAddress());
     server = Optional.of(opened);
     THREADS.newThread(() -> accept(opened)).start();
-    gate.open(opened.getLocalPort());
+    gate().open(opened.getLocalPort());
   }
 
   private void accept(ServerSocket listening) {
@@ -94,7 +80,7 @@ class LinePeer implements Peer {
       for (String line = in.readLine(); line != null; line = in.readLine()) {
         String[] words = line.split(" ");
         switch (words[0]) {
-          case "drive" -> heard.add(VelocityCommand.planar(Double.parseDouble(words[1]) / 1000,
+          case "drive" -> hears(VelocityCommand.planar(Double.parseDouble(words[1]) / 1000,
               Math.toRadians(Double.parseDouble(words[2]))));
           default -> callers.put(caller, words[0].equals("want"));
         }
@@ -125,7 +111,7 @@ class LinePeer implements Peer {
 
   @Override
   public void kill() {
-    gate.shut();
+    gate().shut();
     server.ifPresent(LinePeer::quietly);
     callers.keySet().forEach(LinePeer::quietly);
     server = Optional.empty();
@@ -140,18 +126,8 @@ class LinePeer implements Peer {
   }
 
   @Override
-  public void hang() {
-    gate.hold();
-  }
-
-  @Override
-  public void goOn() {
-    gate.goOn();
-  }
-
-  @Override
   public void garble() {
-    gate.inject("\u0000\u0001 no word\n".getBytes(StandardCharsets.UTF_8));
+    gate().inject("\u0000\u0001 no word\n".getBytes(StandardCharsets.UTF_8));
   }
 
   @Override
@@ -184,28 +160,7 @@ class LinePeer implements Peer {
   }
 
   @Override
-  public List<Data> heard() {
-    return List.copyOf(heard);
-  }
-
-  @Override
   public Set<String> registrations() {
     throw new UnsupportedOperationException("lacking");
-  }
-
-  @Override
-  public int links() {
-    return gate.links();
-  }
-
-  /** Where it is reached, also while it is away. */
-  final int port() {
-    return gate.port();
-  }
-
-  @Override
-  public void close() {
-    kill();
-    gate.close();
   }
 }

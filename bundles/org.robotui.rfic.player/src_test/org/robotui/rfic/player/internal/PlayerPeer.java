@@ -1,20 +1,17 @@
 package org.robotui.rfic.player.internal;
 
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.robotui.api.Rfic;
 import org.robotui.api.RficContext;
 import org.robotui.data.ClockKind;
-import org.robotui.data.Data;
 import org.robotui.data.FrameId;
 import org.robotui.data.Stamp;
 import org.robotui.data.array.Doubles;
@@ -34,13 +31,11 @@ import org.robotui.player.server.PlayerServer;
 import org.robotui.player.server.ServedDevice;
 import org.robotui.player.server.ServerOptions;
 import org.robotui.player.server.TypedHandler;
-import org.robotui.testkit.rfic.Capability;
-import org.robotui.testkit.rfic.Gate;
-import org.robotui.testkit.rfic.Peer;
+import org.robotui.testkit.rfic.GatedPeer;
 import org.robotui.testkit.rfic.Sample;
 
-/** A base with a laser behind our Player server, behind a gate. */
-final class PlayerPeer implements Peer {
+/** A base with a laser behind our Player server, behind a gate(). */
+final class PlayerPeer extends GatedPeer {
   private static final double STAMP = 1.7e9;
   private static final Optional<Stamp> STAMPED = Optional.of(Stamp.of(1_700_000_000L, 0, ClockKind.ROBOT));
   private static final Sample POSE = new Sample("position2d:0",
@@ -53,41 +48,29 @@ final class PlayerPeer implements Peer {
           Floats.of(1.5f, Float.POSITIVE_INFINITY, 2.5f), Floats.of(1, 2, 200)), STAMPED);
 
   private final Layouts layouts = Layouts.standard();
-  private final List<Data> heard = new CopyOnWriteArrayList<>();
-  private final Gate gate;
   private final boolean guard;
   private Optional<PlayerServer> server = Optional.empty();
   private Map<Sample, ServedDevice> devices = Map.of();
 
   PlayerPeer(boolean guard) {
     this.guard = guard;
-    try {
-      gate = new Gate();
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
-  }
-
-  @Override
-  public Map<Capability, String> lacks() {
-    return Map.of();
   }
 
   @Override
   public Rfic create(RficContext context) {
     return PlayerSessions.rfic(context,
-        PlayerRficCase.settings(Map.of("host", "127.0.0.1", "port", (long) gate.port(), "guard", guard), Map.of()),
+        PlayerRficCase.settings(Map.of("host", "127.0.0.1", "port", (long) port(), "guard", guard), Map.of()),
         new Guards());
   }
 
   @Override
   public void start() throws IOException {
     PlayerServer opened = new PlayerServer(layouts, ServerOptions.loopback(THREADS, 0, () -> STAMP));
-    TypedHandler base = new TypedHandler(layouts, count -> {}).on(Position2d.VELOCITY, v -> heard.add(velocity(v)));
+    TypedHandler base = new TypedHandler(layouts, count -> {}).on(Position2d.VELOCITY, v -> hears(velocity(v)));
     devices = Map.of(POSE, opened.add("position2d", 0, "driver", base),
         SCAN, opened.add("laser", 0, "driver", new TypedHandler(layouts, count -> {})));
     server = Optional.of(opened);
-    gate.open(opened.port());
+    gate().open(opened.port());
   }
 
   private static VelocityCommand velocity(Position2d.Velocity v) {
@@ -97,20 +80,10 @@ final class PlayerPeer implements Peer {
 
   @Override
   public void kill() {
-    gate.shut();
+    gate().shut();
     server.ifPresent(PlayerServer::close);
     server = Optional.empty();
     devices = Map.of();
-  }
-
-  @Override
-  public void hang() {
-    gate.hold();
-  }
-
-  @Override
-  public void goOn() {
-    gate.goOn();
   }
 
   @Override
@@ -118,7 +91,7 @@ final class PlayerPeer implements Peer {
     devices.get(SCAN).publish(1, ByteBuffer.wrap(new byte[]{1, 2, 3}), STAMP);
     byte[] garbage = new byte[256];
     Arrays.fill(garbage, (byte) 0xff);
-    gate.inject(garbage);
+    gate().inject(garbage);
   }
 
   @Override
@@ -154,24 +127,8 @@ final class PlayerPeer implements Peer {
   }
 
   @Override
-  public List<Data> heard() {
-    return List.copyOf(heard);
-  }
-
-  @Override
   public Set<String> registrations() {
     return Stream.of(POSE, SCAN).filter(sample -> listeners(sample) > 0).map(sample -> sample.port() + " is open")
         .collect(Collectors.toSet());
-  }
-
-  @Override
-  public int links() {
-    return gate.links();
-  }
-
-  @Override
-  public void close() {
-    server.ifPresent(PlayerServer::close);
-    gate.close();
   }
 }

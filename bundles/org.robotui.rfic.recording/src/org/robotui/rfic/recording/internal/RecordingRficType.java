@@ -24,7 +24,7 @@ public final class RecordingRficType implements RficType {
   private static final Duration RETRY = Duration.ofSeconds(3);
   /** Streams are those that were recorded; only browsing is always there. */
   private static final Descriptor DESCRIPTOR = new Descriptor("recording", "Recording",
-      "Plays what was recorded of a robot, MCAP, a bag of ROS 1 or 2, a log of LCM, as if it were the robot.",
+      "Plays what was recorded of a robot, MCAP, a bag of ROS 1 or 2, a log of LCM, CARMEN or Player, as if it were the robot.",
       RecordingSettings.SCHEMA, List.of(TopicPorts.GRAPH));
 
   private final SharedTimeline timeline;
@@ -47,7 +47,7 @@ public final class RecordingRficType implements RficType {
   @Override
   public Optional<FileKind> files() {
     return Optional.of(new FileKind("Recordings",
-        List.of("mcap", "bag", "bag.active", "db3", "mcap.zstd", "db3.zstd", "lcm", "lcmlog"),
+        List.of("mcap", "bag", "bag.active", "db3", "mcap.zstd", "db3.zstd", "lcm", "lcmlog", "log"),
         List.of("metadata.yaml", "*_0.db3", "*_0.mcap"), RecordingSettings.FILE));
   }
 

@@ -41,7 +41,7 @@ public record RecordingSettings(Path file, List<Path> types, TopicSettings topic
   private static Schema schema() {
     List<Setting> all = new ArrayList<>();
     all.add(Setting.required(FILE, new ValueType.WithPlace(new ValueType.Text()),
-        "the recording, MCAP, a bag of ROS 1, a folder or file of rosbag2 or a log of LCM, relative to this file"));
+        "the recording, MCAP, a bag of ROS 1, a folder or file of rosbag2 or a log of LCM, CARMEN or Player, relative to this file"));
     all.add(Setting.optional(TYPES,
         new ValueType.WithPlace(new ValueType.AnyOf(
             List.of(new ValueType.Text(), new ValueType.ListOf(new ValueType.Text())))),

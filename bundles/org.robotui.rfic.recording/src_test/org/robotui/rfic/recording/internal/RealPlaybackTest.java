@@ -30,10 +30,9 @@ import org.robotui.api.replay.TimelineState;
 import org.robotui.data.record.DynamicRecord;
 import org.robotui.data.record.FieldValue;
 import org.robotui.recording.RecordedChannel;
-import org.robotui.recording.RecordingException;
 import org.robotui.recording.RecordingReader;
-import org.robotui.recording.Recordings;
 import org.robotui.recording.ScanProgress;
+import org.robotui.rfic.recording.internal.file.RecordingFiles;
 import org.robotui.testkit.FakeRficContext;
 import org.robotui.testkit.FakeRficContext.Published;
 import org.robotui.testkit.recorded.SharedData;
@@ -50,13 +49,14 @@ class RealPlaybackTest {
   private Path folder;
 
   static Stream<Path> files() {
-    return Stream.concat(SharedData.files("bags", ".bag").stream(), SharedData.files("mcap", ".mcap").stream())
+    return Stream.of(SharedData.files("bags", ".bag"), SharedData.files("mcap", ".mcap"),
+        SharedData.files("carmen", ".log"), SharedData.files("../captures/player", ".log")).flatMap(List::stream)
         .filter(file -> !file.endsWith("no_messages.bag"));
   }
 
   @ParameterizedTest
   @MethodSource("files")
-  void showTheSameAtATimeWhoeverGoesThere(Path file) throws RecordingException {
+  void showTheSameAtATimeWhoeverGoesThere(Path file) throws IOException {
     for (double share : new double[]{0, 0.5, 1}) {
       try (PlayBench played = new PlayBench(); PlayBench moved = new PlayBench()) {
         FakeRficContext one = open(played, file);
@@ -74,9 +74,9 @@ class RealPlaybackTest {
   }
 
   /** The ports whose topics have spoken by then, but for what happens and transforms. */
-  private static Set<String> recorded(Path file, long time) throws RecordingException {
+  private static Set<String> recorded(Path file, long time) throws IOException {
     Set<String> ports = new TreeSet<>();
-    try (RecordingReader recording = Recordings.open(file, ScanProgress.NONE)) {
+    try (RecordingReader recording = RecordingFiles.open(file, List.of(), ScanProgress.NONE)) {
       for (RecordedChannel channel : recording.channels()) {
         if (recording.latestBefore(channel.id(), time).isPresent()) {
           ports.add(channel.topic().substring(1));
@@ -87,8 +87,11 @@ class RealPlaybackTest {
     return ports;
   }
 
-  private static FakeRficContext open(PlayBench bench, Path file) {
+  /** Streams are offered one after the other behind the link: who asks earlier misses some of them. */
+  private static FakeRficContext open(PlayBench bench, Path file) throws IOException {
     FakeRficContext context = bench.open(file, Map.of("play", false));
+    Set<String> all = recorded(file, Long.MAX_VALUE);
+    PlayBench.await(() -> context.streams.keySet() + " of " + all, () -> context.streams.keySet().containsAll(all));
     context.streams.keySet().stream().sorted().forEach(port -> context.demand(port, true));
     return context;
   }
@@ -194,7 +197,7 @@ class RealPlaybackTest {
   }
 
   @Test
-  void theTurnOfARobotIsShownAsItWas() {
+  void theTurnOfARobotIsShownAsItWas() throws IOException {
     try (PlayBench bench = new PlayBench()) {
       FakeRficContext context = open(bench, SharedData.file("bags/sena_loop.bag"));
       bench.timeline.seek(bench.state().span().orElseThrow().end());

@@ -17,8 +17,8 @@ import org.robotui.recording.RecordingWriter;
 import org.robotui.recording.WriterOptions;
 
 /** Writes recordings of messages of ROS 2; times are seconds from a begin. */
-final class SmallRecording implements AutoCloseable {
-  static final String ODOMETRY = "nav_msgs/msg/Odometry";
+public final class SmallRecording implements AutoCloseable {
+  public static final String ODOMETRY = "nav_msgs/msg/Odometry";
   static final long BEGIN = 1_700_000_000_000_000_000L;
   private static final PayloadFormats FORMATS = new PayloadFormats(new RosDefinitions(Map.of()));
 
@@ -27,7 +27,7 @@ final class SmallRecording implements AutoCloseable {
   private final Map<String, RecordedChannel> channels = new HashMap<>();
   private final Map<String, PayloadFormat> formats = new HashMap<>();
 
-  SmallRecording(Path file) throws RecordingException {
+  public SmallRecording(Path file) throws RecordingException {
     writer = RecordingWriter.create(file, WriterOptions.defaults().withChunkBytes(2000));
   }
 
@@ -35,7 +35,7 @@ final class SmallRecording implements AutoCloseable {
     return BEGIN + Math.round(seconds * 1e9);
   }
 
-  SmallRecording odometry(String topic, double seconds, double x) throws RecordingException {
+  public SmallRecording odometry(String topic, double seconds, double x) throws RecordingException {
     return say(topic, ODOMETRY, Map.of(), seconds, odometry(seconds, x));
   }
 
@@ -51,12 +51,12 @@ final class SmallRecording implements AutoCloseable {
             Map.of("translation", Map.of("x", x), "rotation", Map.of("w", 1))))));
   }
 
-  static Map<String, Object> header(double seconds, String frame) {
+  public static Map<String, Object> header(double seconds, String frame) {
     long nanos = time(seconds);
     return Map.of("stamp", Map.of("sec", nanos / 1_000_000_000L, "nanosec", nanos % 1_000_000_000L), "frame_id", frame);
   }
 
-  SmallRecording say(String topic, String type, Map<String, String> metadata, double seconds,
+  public SmallRecording say(String topic, String type, Map<String, String> metadata, double seconds,
       Map<String, Object> fields) throws RecordingException {
     PayloadFormat format = formats.computeIfAbsent(type, t -> FORMATS.of(new PayloadSource("cdr", t, "", "")));
     String definition = format.definition().orElseThrow().info().definition();
@@ -81,7 +81,7 @@ final class SmallRecording implements AutoCloseable {
     return this;
   }
 
-  SmallRecording raw(String topic, String encoding, double seconds, byte[] bytes) throws RecordingException {
+  public SmallRecording raw(String topic, String encoding, double seconds, byte[] bytes) throws RecordingException {
     RecordedChannel channel = channels.get(topic);
     if (channel == null) {
       channel = writer.channel(topic, encoding, RecordedSchema.NONE, Map.of());

@@ -75,9 +75,11 @@ class SharedMasterTest extends RosRficCase {
     other.start();
     await(() -> !children(second).isEmpty());
     assertEquals(Set.of("laser"), children(second), "what is said once it hears, too, but not of the other robot");
-    moving.publish(
-        message("map", "r1/odom", "map", "r2/odom", "map", "r3/odom", "odom", "base_link", "map", "arena/door"));
-    await(() -> children(second).size() == 4 && children(context).size() == 5);
+    await(() -> {
+      moving.publish(
+          message("map", "r1/odom", "map", "r2/odom", "map", "r3/odom", "odom", "base_link", "map", "arena/door"));
+      return children(second).size() == 4 && children(context).size() == 5;
+    });
     assertEquals(Set.of("laser", "r2/odom", "base_link", "arena/door"), children(second));
     assertEquals(Set.of("laser", "r1/laser", "r1/odom", "base_link", "arena/door"), children(context));
     assertEquals(1, moving.numSubscribers(), "of two interfaces one listens");

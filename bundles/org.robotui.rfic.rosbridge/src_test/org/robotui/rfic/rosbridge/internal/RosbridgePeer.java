@@ -1,7 +1,6 @@
 package org.robotui.rfic.rosbridge.internal;
 
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.util.HashMap;
 import java.util.List;
@@ -9,7 +8,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
-import java.util.concurrent.CopyOnWriteArrayList;
 import org.robotui.api.Rfic;
 import org.robotui.api.RficContext;
 import org.robotui.api.config.Settings;
@@ -30,15 +28,13 @@ import org.robotui.message.Generation;
 import org.robotui.message.payload.PayloadFormat;
 import org.robotui.message.payload.RosDefinitions;
 import org.robotui.message.payload.RosFormat;
-import org.robotui.testkit.rfic.Capability;
-import org.robotui.testkit.rfic.Gate;
-import org.robotui.testkit.rfic.Peer;
+import org.robotui.testkit.rfic.GatedPeer;
 import org.robotui.testkit.rfic.Sample;
 import org.robotui.web.tree.TreeException;
 import org.robotui.web.tree.Trees;
 
-/** A base with a laser behind a bridge, which is behind a gate. */
-final class RosbridgePeer implements Peer {
+/** A base with a laser behind a bridge, which is behind a gate(). */
+final class RosbridgePeer extends GatedPeer {
   private static final Stamp STAMP = Stamp.of(1_700_000_000L, 500, ClockKind.ROBOT);
   private static final Sample POSE = new Sample("odom",
       new Odometry(new FrameId("robby", "odom"), new FrameId("robby", "base_link"),
@@ -53,29 +49,17 @@ final class RosbridgePeer implements Peer {
 
   private final Generation generation;
   private final String compression;
-  private final Gate gate;
   private final RosDefinitions definitions = new RosDefinitions(Map.of());
-  private final List<Data> heard = new CopyOnWriteArrayList<>();
   private Optional<RosbridgeServer> server = Optional.empty();
 
   RosbridgePeer(Generation generation, String compression) {
     this.generation = generation;
     this.compression = compression;
-    try {
-      gate = new Gate();
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
-  }
-
-  @Override
-  public Map<Capability, String> lacks() {
-    return Map.of();
   }
 
   @Override
   public Rfic create(RficContext context) {
-    return rfic(context, Map.of("url", "ws://127.0.0.1:" + gate.port(), "compression", compression));
+    return rfic(context, Map.of("url", "ws://127.0.0.1:" + port(), "compression", compression));
   }
 
   static Rfic rfic(RficContext context, Map<String, Object> written) {
@@ -89,25 +73,15 @@ final class RosbridgePeer implements Peer {
   public void start() throws IOException {
     RosbridgeServer opened = new RosbridgeServer(generation);
     server = Optional.of(opened);
-    gate.open(opened.port());
+    gate().open(opened.port());
   }
 
   @Override
   public void kill() {
-    gate.shut();
+    gate().shut();
     take();
     server.ifPresent(RosbridgeServer::close);
     server = Optional.empty();
-  }
-
-  @Override
-  public void hang() {
-    gate.hold();
-  }
-
-  @Override
-  public void goOn() {
-    gate.goOn();
   }
 
   @Override
@@ -178,14 +152,14 @@ final class RosbridgePeer implements Peer {
   @Override
   public List<Data> heard() {
     take();
-    return List.copyOf(heard);
+    return super.heard();
   }
 
   /** What this bridge heard since it was asked. */
   private void take() {
     server.ifPresent(there -> {
       for (Map<String, Object> each = there.said.poll(); each != null; each = there.said.poll()) {
-        heard.add(velocity(each));
+        hears(velocity(each));
       }
     });
   }
@@ -210,16 +184,5 @@ final class RosbridgePeer implements Peer {
     there.advertised.keySet().forEach(each -> all.add("publishes" + each.substring(each.indexOf(' '))));
     there.subscriptions.forEach(each -> all.add("subscribes " + each.topic()));
     return all;
-  }
-
-  @Override
-  public int links() {
-    return gate.links();
-  }
-
-  @Override
-  public void close() {
-    kill();
-    gate.close();
   }
 }

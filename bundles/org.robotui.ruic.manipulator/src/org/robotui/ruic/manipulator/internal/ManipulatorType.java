@@ -17,7 +17,7 @@ import org.robotui.api.layout.Layout;
  */
 @Component(service = RuicType.class)
 public final class ManipulatorType extends FixedRuicType {
-  private static final Tabs JOINTS = new Tabs(List.of("jointcontrol", "tftree"));
+  private static final Tabs JOINTS = new Tabs(List.of("jointcontrol", "postures", "tftree"));
   private static final Tabs PICTURE = new Tabs(List.of("scene3d", "plot", "log", "alerts"));
   private static final Tabs PLUGINS = new Tabs(List.of("plugins"));
   private static final Tabs STATE = new Tabs(List.of("status", "connections"));

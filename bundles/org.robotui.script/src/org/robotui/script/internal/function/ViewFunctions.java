@@ -4,6 +4,9 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Collectors;
+import org.robotui.api.config.Setting;
+import org.robotui.api.config.SettingsStore;
 import org.robotui.api.host.Arranging;
 import org.robotui.api.host.Arranging.ViewChoice;
 import org.robotui.api.host.Ruic;
@@ -34,6 +37,10 @@ final class ViewFunctions {
           views.arrange(views.now().fronted(opened(call, views)));
           return null;
         }),
+        ScriptFunction.of("settings(view, ui?)", "Tells the settings of a view that runs.", "their values by name",
+            call -> settings(call, Named.ruic(call, 1)).current().values()),
+        ScriptFunction.of("setSetting(view, setting, value, ui?)",
+            "Changes a setting of a view, at once and for the next start, too.", "", ViewFunctions::set),
         ScriptFunction.of("perspectives(ui?)", "Lists the perspectives.", "a list of names",
             call -> List.copyOf(Named.ruic(call, 0).arranging().perspectives().keySet())),
         ScriptFunction.of("perspective(name, ui?)", "Arranges the views as a perspective has them.", "", call -> {
@@ -87,6 +94,43 @@ final class ViewFunctions {
     String id = views.freshId(wanted);
     views.arrange(now.adding(new Added(id, wanted)).opened(id, views.written().layout()));
     return id;
+  }
+
+  private static SettingsStore settings(ScriptCall call, Ruic ruic) throws ScriptFailure {
+    String view = call.text(0);
+    return ruic.settings(view).orElseThrow(
+        () -> new ScriptFailure(ruic.name() + " has no view '" + view + "' that runs; see views()"));
+  }
+
+  private static Object set(ScriptCall call) throws ScriptFailure {
+    SettingsStore store = settings(call, Named.ruic(call, 3));
+    String name = call.text(1);
+    if (store.current().schema().find(name).isEmpty()) {
+      throw new ScriptFailure("there is no setting '" + name + "'; there are: "
+          + store.current().schema().settings().stream().map(Setting::name).collect(Collectors.joining(", ")));
+    }
+    Object value = call.argument(2)
+        .orElseThrow(() -> new ScriptFailure("setSetting takes a view, a setting and its value"));
+    try {
+      store.set(name, written(value));
+    } catch (IllegalArgumentException e) {
+      throw new ScriptFailure(e.getMessage());
+    }
+    return null;
+  }
+
+  /** As a configuration has it: scripts have no whole numbers of their own. */
+  private static Object written(Object value) {
+    return switch (value) {
+      case Double number when number == Math.rint(number) && Math.abs(number) < 1e15 -> number.longValue();
+      case List<?> items -> items.stream().map(ViewFunctions::written).toList();
+      case Map<?, ?> members -> {
+        Map<Object, Object> all = new LinkedHashMap<>();
+        members.forEach((key, member) -> all.put(key, written(member)));
+        yield all;
+      }
+      default -> value;
+    };
   }
 
   private static Object close(ScriptCall call) throws ScriptFailure {

@@ -10,6 +10,9 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.robotui.api.command.Principal;
+import org.robotui.api.config.Schema;
+import org.robotui.api.config.Setting;
+import org.robotui.api.config.ValueType;
 import org.robotui.api.host.PortStatus;
 import org.robotui.api.host.ViewFit;
 import org.robotui.api.layout.Layout;
@@ -29,6 +32,7 @@ import org.robotui.data.record.FieldValue;
 import org.robotui.data.record.MapRecord;
 import org.robotui.data.sensor.Battery;
 import org.robotui.script.internal.engine.Console;
+import org.robotui.testkit.FakeSettings;
 import org.robotui.testkit.host.FakeRuic;
 
 class FunctionsTest {
@@ -200,6 +204,20 @@ class FunctionsTest {
     assertEquals(List.of("plot", "camera"), console.value("views().filter(v => v.open).map(v => v.id)"));
     assertTrue(console.failure("closeView('map')").contains("open are: plot, camera"));
     assertTrue(console.failure("openView('nothing')").contains("viewTypes()"));
+  }
+
+  @Test
+  void readsAndChangesSettingsOfViews() {
+    FakeSettings map = new FakeSettings(Schema.of(
+        Setting.of("follow", new ValueType.Flag(), false, "follows the robot"),
+        Setting.of("trail", new ValueType.Int(0, 100), 10L, "how many places")));
+    natalie.settings("map", map);
+    assertEquals("{\"follow\":false,\"trail\":10}", console.value("JSON.stringify(settings('map'))"));
+    console.run("setSetting('map', 'follow', true); setSetting('map', 'trail', 25)");
+    assertEquals(true, map.current().flag("follow"));
+    assertEquals(25L, map.current().integer("trail"));
+    assertTrue(console.failure("setSetting('map', 'colour', 1)").contains("there are: follow, trail"));
+    assertTrue(console.failure("settings('plot')").contains("Natalie has no view 'plot' that runs"));
   }
 
   @Test

@@ -1,17 +1,15 @@
 package org.robotui.sim.internal.player;
 
-import java.io.ByteArrayOutputStream;
 import java.util.Optional;
-import java.util.zip.Deflater;
 import org.robotui.player.interfaces.PlayerMap;
 import org.robotui.player.interfaces.Pose2d;
 import org.robotui.sim.internal.RobotState;
+import org.robotui.sim.internal.ZlibBytes;
 import org.robotui.sim.internal.world.GridMap;
 
 /** {@code map:0}, in tiles as clients ask for them. */
 final class Maps implements Part {
   private static final int RANGE = 1;
-  private static final int CHUNK = 8192;
 
   private final GridMap map;
 
@@ -37,16 +35,7 @@ final class Maps implements Part {
     for (int i = 0; i < cells.length; i++) {
       cells[i] = cell(map.at((int) tile.column() + i % width, (int) tile.row() + i / width));
     }
-    Deflater deflater = new Deflater();
-    deflater.setInput(cells);
-    deflater.finish();
-    ByteArrayOutputStream out = new ByteArrayOutputStream();
-    byte[] chunk = new byte[CHUNK];
-    while (!deflater.finished()) {
-      out.write(chunk, 0, deflater.deflate(chunk));
-    }
-    deflater.end();
-    return out.toByteArray();
+    return ZlibBytes.of(cells);
   }
 
   private static byte cell(byte occupancy) {

@@ -4,9 +4,12 @@ import java.util.Optional;
 
 /** Moves the head: it looks around by itself until somebody says where to look. For one thread. */
 public final class Neck {
-  private static final double MOST_PAN = 1.2;
-  private static final double MOST_TILT = 0.6;
-  private static final double FASTEST = 1.5;
+  /** To either side, radians. */
+  public static final double MOST_PAN = 1.2;
+  /** Up and down, radians. */
+  public static final double MOST_TILT = 0.6;
+  /** Radians per second. */
+  public static final double FASTEST = 1.5;
 
   private Head head = Head.at(0);
   private Optional<Look> wish = Optional.empty();

@@ -2,8 +2,10 @@ package org.robotui.uic.connections.internal;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Supplier;
 import org.eclipse.swt.widgets.Composite;
 import org.robotui.api.UicContext;
+import org.robotui.api.bridge.BridgeStatus;
 import org.robotui.api.config.Settings;
 import org.robotui.api.host.RuicView;
 import org.robotui.api.port.SourceId;
@@ -20,11 +22,13 @@ import org.robotui.uic.connections.internal.view.ConnectionsSurface;
 /** The view: the tick asks all RUICs and makes lines, the surface lists them. */
 final class ConnectionsUic extends SurfaceUic<ConnectionsSurface> implements ConnectionsSurface.Wishes {
   private final UicContext context;
+  private final Supplier<List<BridgeStatus>> bridges;
   private final ConnectionsModel model = new ConnectionsModel();
   private String words = "";
 
-  ConnectionsUic(UicContext context) {
+  ConnectionsUic(UicContext context, Supplier<List<BridgeStatus>> bridges) {
     this.context = context;
+    this.bridges = bridges;
     offers().action("copy", "Copy all of the list as text", Icon.COPY, ConnectionsSurface::copy)
         .add("fold", "Collapse all robots", Icon.CLOSED, () -> foldAll(true))
         .add("unfold", "Expand all", Icon.OPEN, () -> foldAll(false));
@@ -33,7 +37,7 @@ final class ConnectionsUic extends SurfaceUic<ConnectionsSurface> implements Con
 
   @Override
   public boolean tick(long nowNanos) {
-    return model.tick(context.ruics().stream().map(RuicView::snapshot).toList(), nowNanos);
+    return model.tick(context.ruics().stream().map(RuicView::snapshot).toList(), bridges.get(), nowNanos);
   }
 
   @Override

@@ -14,10 +14,11 @@ import org.robotui.testkit.FakeUicContext;
 import org.robotui.uic.connections.internal.model.Robots;
 
 class ConnectionsUicTest {
-  private final FakeUicContext context = new FakeUicContext("connections", new ConnectionsType().schema());
+  private final FakeUicContext context =
+      new FakeUicContext("connections", new ConnectionsType(FakeBridges.NONE).schema());
   private final FakeRuicView keira = new FakeRuicView(new FakeAuthority("Keira"));
   private final FakeRuicView natalie = new FakeRuicView(new FakeAuthority("Natalie"));
-  private final ConnectionsUic uic = new ConnectionsUic(context);
+  private final ConnectionsUic uic = new ConnectionsUic(context, List::of);
 
   @Test
   void looksAtAllRobotsOfTheWorkbenchAndTellsNews() {

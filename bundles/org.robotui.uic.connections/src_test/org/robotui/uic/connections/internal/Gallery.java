@@ -62,11 +62,11 @@ record Gallery(GalleryWindow window, Theme theme) {
 
   private void cell(int x, int y, int width, int height, Select select, List<RuicSnapshot> robots,
       Consumer<FakeUicContext> prepare) {
-    FakeUicContext context = new FakeUicContext("connections", new ConnectionsType().schema());
+    FakeUicContext context = new FakeUicContext("connections", new ConnectionsType(FakeBridges.NONE).schema());
     context.ruics(robots.stream().map(Gallery::view).toList());
     prepare.accept(context);
     Composite part = window.cell(x, y, width, height);
-    ConnectionsUic uic = new ConnectionsUic(context);
+    ConnectionsUic uic = new ConnectionsUic(context, List::of);
     uic.tick(0);
     uic.tick(190_000_000_000L);
     uic.createControl(part, UiContext.of(theme, part::setData));

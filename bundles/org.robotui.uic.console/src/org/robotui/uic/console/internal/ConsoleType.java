@@ -21,7 +21,7 @@ public final class ConsoleType implements UicType {
 
   private static final double RATE_HZ = 15;
   private static final Schema SCHEMA = Schema.of(Setting.of(HISTORY, new ValueType.ListOf(new ValueType.Text()),
-      List.of(), "What was typed before, the oldest first; arrow up brings it back."));
+      List.of(), "What was typed before, the oldest first; arrow up brings it back.").asState());
   private static final Descriptor DESCRIPTOR = new Descriptor("console", "Console",
       "Runs scripts a line at a time: reads what robots send, drives, opens views; completes names, keeps a history.",
       SCHEMA, List.of());

@@ -37,7 +37,9 @@ final class ConsoleUic extends SurfaceUic<ConsoleSurface> {
         context.settings().current().list(ConsoleType.HISTORY).stream().map(Object::toString).toList());
     transcript.add(Kind.NOTE, "Type JavaScript, such as ports() or value(\"base.odom\"); help() lists all functions.");
     offers().action("run_file", "Run a script file\u2026", Icon.PLAY, ConsoleSurface::askForScript)
-        .action("save", "Save what was typed as a script\u2026", Icon.SAVE, ConsoleSurface::save)
+        .action("save", "Save what was typed and recorded as a script\u2026", Icon.SAVE, ConsoleSurface::save)
+        .add("record", "Write down what I do as a script", Icon.TEXT, runs::isRecording,
+            () -> context.background().execute(runs::record))
         .add("stop", "Stop what runs", Icon.STOP, runs::stop)
         .add("clear", "Clear", Icon.RESTART, transcript::clear);
   }
@@ -115,7 +117,8 @@ final class ConsoleUic extends SurfaceUic<ConsoleSurface> {
     public void save(Path file) {
       String script = runs.script();
       if (script.isEmpty()) {
-        transcript.add(Kind.NOTE, "nothing that was typed has come to its end, so that there is nothing to save");
+        transcript.add(Kind.NOTE,
+            "nothing was typed that has come to its end, and nothing was recorded: there is nothing to save");
         return;
       }
       context.background().execute(() -> {

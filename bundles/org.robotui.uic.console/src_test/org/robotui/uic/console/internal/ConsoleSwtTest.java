@@ -17,6 +17,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.robotui.testkit.FakeScripts;
 import org.robotui.api.script.ScriptOutcome;
 import org.robotui.api.script.ScriptSession.Completion;
 import org.robotui.testkit.Controls;
@@ -26,6 +27,7 @@ import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 import org.robotui.ui.Themes;
 import org.robotui.ui.UiContext;
+import org.robotui.ui.ViewAction;
 import org.robotui.ui.control.QuietButton;
 
 class ConsoleSwtTest {
@@ -65,7 +67,7 @@ class ConsoleSwtTest {
     type("1 + 1");
     key(SWT.CR, 0);
     assertEquals(List.of("the console of " + context.ruic().name()), scripts.opened);
-    assertEquals("use(\"" + context.ruic().name() + "\")", scripts.runs.getFirst().text());
+    assertEquals("use(\"" + context.ruic().name() + "\");", scripts.runs.getFirst().text());
     assertEquals("1 + 1", scripts.runs.getLast().text());
     assertTrue(stop().getVisible());
     scripts.output.accept("printed");
@@ -76,6 +78,21 @@ class ConsoleSwtTest {
     assertFalse(stop().getVisible());
     assertEquals(List.of("1 + 1"), context.settings().current().list(ConsoleType.HISTORY));
     assertFalse(console.tick(0), "nothing is new");
+  }
+
+  @Test
+  void whatTheUserDoesIsWrittenDownAndSaved(@TempDir Path folder) throws Exception {
+    ViewAction record = console.actions().stream().filter(a -> a.id().equals("record")).findFirst().orElseThrow();
+    record.run().run();
+    assertTrue(record.checked().orElseThrow().getAsBoolean());
+    scripts.recorded.accept("openView(\"map\", \"Natalie\");");
+    record.run().run();
+    assertFalse(record.checked().orElseThrow().getAsBoolean());
+    scripts.recorded.accept("closeView(\"map\", \"Natalie\");");
+    console.refresh();
+    assertTrue(output.getText().contains("openView(\"map\", \"Natalie\");\nrecorded;"), output.getText());
+    console.hands().save(folder.resolve("done.js"));
+    assertEquals("openView(\"map\", \"Natalie\");\n", Files.readString(folder.resolve("done.js")));
   }
 
   @Test
@@ -153,7 +170,7 @@ class ConsoleSwtTest {
     console.hands().save(folder.resolve("kept.js"));
     assertEquals("ports()\n", Files.readString(folder.resolve("kept.js")));
     console.refresh();
-    assertTrue(output.getText().contains("none.js cannot be read"), output.getText());
+    assertTrue(output.getText().contains("none.js is not there"), output.getText());
     assertTrue(output.getText().contains("console:1: it was stopped"), output.getText());
   }
 

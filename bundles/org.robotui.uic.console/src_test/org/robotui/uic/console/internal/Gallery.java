@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.BiConsumer;
 import org.eclipse.swt.widgets.Composite;
+import org.robotui.testkit.FakeScripts;
 import org.robotui.api.script.ScriptOutcome;
 import org.robotui.testkit.FakeUicContext;
 import org.robotui.testkit.GalleryWindow;

@@ -12,6 +12,7 @@ import org.robotui.entity.gps.GeoPoint;
 import org.robotui.ui.display.DisplayEntry;
 import org.robotui.ui.display.DisplaySpec;
 import org.robotui.ui.layer.LayerStack;
+import org.robotui.ui.scene.KeptViewport;
 
 /**
  * The settings of the GPS view.
@@ -65,6 +66,7 @@ public record GpsOptions(
             "Layers, the topmost first; the settings above say how those begin that are not listed."),
         Setting.of(DisplayEntry.AUTOMATIC, new ValueType.Flag(), true,
             "Show what robots offer beside the layers that are listed."),
+        KeptViewport.setting(),
         Setting.of(LIST, new ValueType.Flag(), false, "Whether the list of layers is seen."));
   }
 

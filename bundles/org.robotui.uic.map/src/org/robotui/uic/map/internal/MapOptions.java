@@ -15,6 +15,7 @@ import org.robotui.api.config.ValueType;
 import org.robotui.ui.display.DisplayEntry;
 import org.robotui.ui.display.DisplaySpec;
 import org.robotui.ui.layer.LayerStack;
+import org.robotui.ui.scene.KeptViewport;
 
 /**
  * The settings of the map. Those that name kinds of layers say how layers begin that nobody has listed.
@@ -78,6 +79,7 @@ public record MapOptions(
         "Layers, the topmost first; the settings below say how those begin that are not listed."));
     settings.add(Setting.of(DisplayEntry.AUTOMATIC, new ValueType.Flag(), true,
         "Show what the robot offers beside the layers that are listed."));
+    settings.add(KeptViewport.setting());
     settings.add(Setting.of(LIST, new ValueType.Flag(), false, "Whether the list of layers is seen."));
     KINDS.keySet().stream().sorted()
         .forEach(

@@ -180,7 +180,7 @@ final class MapGallery {
     stage.replace();
     stage.context.input(MapPorts.MAP).put(DemoRoom.source("map"), map, System.nanoTime(), Optional.empty());
     stage.open();
-    for (CarmenLog.Entry entry : CarmenLog.read(shared.resolve("data/carmen/sena_loop.log")).subList(0, 120)) {
+    for (SenaDrive.Entry entry : SenaDrive.read(shared.resolve("data/bags/sena_loop.bag")).subList(0, 120)) {
       frames.fix(DemoRoom.ODOM, DemoRoom.BASE, entry.odomFromBase());
       stage.context.input(MapPorts.ODOM)
           .put(DemoRoom.source("odom"), DemoRoom.odometry(entry.odomFromBase()), System.nanoTime(), Optional.empty());

@@ -25,6 +25,7 @@ import org.robotui.testkit.TestDisplay;
 import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 import org.robotui.ui.Themes;
+import org.robotui.ui.scene.KeptViewport;
 
 @EnabledIf(value = Displays.AVAILABLE, disabledReason = Displays.REASON)
 class MapSwtTest {
@@ -111,6 +112,24 @@ class MapSwtTest {
     stage.mouse(SWT.MouseDoubleClick, 1, 200, 150);
     stage.tick();
     assertEquals(before, stage.note());
+  }
+
+  @Test
+  void theNextMapIsSeenFromWhereThisOneWasLeft() {
+    stage.wheel(3, 200, 150);
+    stage.mouse(SWT.MouseDown, 1, 200, 150);
+    stage.mouse(SWT.MouseMove, 0, 260, 190);
+    stage.mouse(SWT.MouseUp, 1, 260, 190);
+    String before = stage.note();
+    stage.canvas().dispose();
+    Object left = stage.context.settings().current().values().get(KeptViewport.CAMERA);
+    MapStage next = room();
+    next.context.settings().set(KeptViewport.CAMERA, left);
+    next.replace();
+    next.open();
+    next.tick();
+    assertEquals(before, next.note());
+    next.close();
   }
 
   @Test

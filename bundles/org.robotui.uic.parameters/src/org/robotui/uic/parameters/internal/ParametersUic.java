@@ -6,6 +6,7 @@ import org.robotui.api.UicContext;
 import org.robotui.ui.Icon;
 import org.robotui.ui.SurfaceUic;
 import org.robotui.ui.UiContext;
+import org.robotui.ui.ViewItem;
 import org.robotui.ui.ViewKey;
 import org.robotui.uic.parameters.internal.model.ParametersModel;
 import org.robotui.uic.parameters.internal.view.ParametersSurface;
@@ -35,6 +36,13 @@ final class ParametersUic extends SurfaceUic<ParametersSurface> {
   @Override
   protected void refresh(ParametersSurface shown) {
     shown.refresh();
+  }
+
+  @Override
+  public List<ViewItem> items() {
+    return model.parameters().stream()
+        .map(key -> new ViewItem("Parameter", key.name(), key.robot(), () -> atSurface(s -> s.find(key))))
+        .toList();
   }
 
   @Override

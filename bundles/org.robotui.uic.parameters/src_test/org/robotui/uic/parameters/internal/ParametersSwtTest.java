@@ -9,18 +9,22 @@ import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.layout.FillLayout;
+import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Display;
 import org.eclipse.swt.widgets.Shell;
+import org.eclipse.swt.widgets.Text;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIf;
+import org.robotui.testkit.Controls;
 import org.robotui.testkit.Displays;
 import org.robotui.testkit.FakeUicContext;
 import org.robotui.testkit.TestDisplay;
 import org.robotui.ui.Theme;
 import org.robotui.ui.Themes;
 import org.robotui.ui.UiContext;
+import org.robotui.ui.ViewItem;
 import org.robotui.uic.parameters.internal.model.FakeRobot;
 import org.robotui.uic.parameters.internal.model.Key;
 import org.robotui.uic.parameters.internal.model.ParametersModel;
@@ -71,6 +75,24 @@ class ParametersSwtTest {
     wait(() -> List.of(3.0, 4.5).equals(robot.value("/gains")));
     assertTrue(stage.editor().isEmpty());
     wait(() -> note.equals("1 changed"));
+  }
+
+  @Test
+  void whatTheSearchOfTheWindowFindsIsShownAlone() {
+    ParametersUic view = new ParametersUic(context);
+    Composite parent = new Composite(shell, SWT.NONE);
+    parent.setLayout(new FillLayout());
+    view.createControl(parent, UiContext.of(theme, text -> {}));
+    shell.layout();
+    wait(() -> view.tick(System.nanoTime()) && view.items().size() == 3);
+    assertEquals(List.of("/flag", "/gains", "/speed"), view.items().stream().map(ViewItem::name).toList());
+
+    view.items().getLast().show().run();
+    wait(() -> {
+      view.tick(System.nanoTime());
+      view.refresh();
+      return Controls.all(parent, Text.class).stream().anyMatch(field -> field.getText().equals("/speed"));
+    });
   }
 
   @Test

@@ -16,6 +16,8 @@ import org.robotui.data.Data;
 import org.robotui.testkit.FakeInput;
 import org.robotui.testkit.FakeUicContext;
 import org.robotui.testkit.GalleryWindow;
+import org.robotui.testkit.KeptHistory;
+import org.robotui.testkit.KeptTimeline;
 import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 import org.robotui.ui.Themes;

@@ -17,6 +17,7 @@ import org.robotui.geometry.Quaternion;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
 import org.robotui.testkit.FakeInput;
+import org.robotui.testkit.KeptHistory;
 
 /** Robots with numbers, for tests and pictures. */
 public final class Robots {

@@ -60,12 +60,14 @@ final class Scene3dUic extends SurfaceUic<SceneSurface> {
     SceneActions.offer(offers(), context.ruic()::reset);
     driver = new Driver(context, waypoints);
     Edits edits = new Edits(context.settings(), model::specs);
-    CameraMotion rig = new CameraMotion(edits.start().orElse(CameraPose.START));
-    fits = edits.start().isPresent() ? 2 : 0;
+    Optional<CameraPose> left = edits.left();
+    Optional<CameraPose> start = edits.start().or(() -> left);
+    CameraMotion rig = new CameraMotion(start.orElse(CameraPose.START));
+    fits = start.isPresent() ? 2 : 0;
     FrameScheduler studio = new FrameScheduler(graphics, rig, System::nanoTime,
         (picture, from) -> surface().ifPresent(s -> s.take(picture, from)),
         () -> surface().ifPresent(SceneSurface::paintSoon));
-    followed = new Followed(context.frames(), rig);
+    followed = new Followed(context.frames(), rig, left.isPresent());
     parts = new SceneParts(model, studio, rig, new Picks(), edits, commander, waypoints,
         new WaypointSender(commander, context.output(ScenePorts.PATH), context.output(ScenePorts.POSES)),
         context.settings(), kinds,

@@ -20,6 +20,7 @@ public final class SceneOptions {
   public static final String FOLLOW = "follow";
   public static final String FOLLOW_YAW = "follow_yaw";
   public static final String VIEWS = "views";
+  public static final String CAMERA = "camera";
   public static final String TREE = "tree";
   public static final String THINNING = "thinning";
   public static final String WAYPOINTS = "waypoints";
@@ -78,6 +79,9 @@ public final class SceneOptions {
           "Colours of robots by name, as #4da3ff."),
       Setting.of(VIEWS, new ValueType.MapOf(new ValueType.Section(new Schema(POSE))), Map.of(),
           "Views by name; the one that is named start is where the scene begins."),
+      Setting.optional(CAMERA, new ValueType.Section(new Schema(POSE)),
+          "Where the user left the camera; the scene begins there unless a view is named start.")
+          .asState(),
       Setting.of(FOLLOW, FRAME_OR_NONE, "", "The frame that the camera keeps up with; empty for none."),
       Setting.of(FOLLOW_YAW, new ValueType.Flag(), false, "Whether the camera also turns with it."),
       Setting.of(WAYPOINTS, new ValueType.ListOf(new ValueType.Section(WAYPOINT)), List.of(),

@@ -1,11 +1,13 @@
 package org.robotui.uic.sound.internal;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.robotui.api.config.Settings;
+import org.robotui.condition.Condition;
+import org.robotui.condition.TimedCondition;
 import org.robotui.uic.sound.internal.alert.AlertConfig;
-import org.robotui.uic.sound.internal.alert.Condition;
-import org.robotui.uic.sound.internal.alert.Conditions;
 import org.robotui.uic.sound.internal.tone.Sound;
 
 /** Reads alerts out of settings. */
@@ -36,16 +38,29 @@ final class AlertReader {
     // They are told apart, muted and acknowledged by their names.
     String name = before.stream().anyMatch(other -> other.name().equals(said)) ? said + " (" + number + ")" : said;
     try {
-      Condition condition = Conditions.parse(item.text(SoundType.WHEN), item.number(SoundType.HYSTERESIS));
+      TimedCondition timed = TimedCondition.parse(item.text(SoundType.WHEN), item.number(SoundType.HYSTERESIS));
+      Condition condition = timed.condition();
       if (condition.momentary() && item.number(SoundType.FOR) > 0) {
-        throw new IllegalArgumentException("an entry of a log does not last; leave out '" + SoundType.FOR + "'");
+        throw new IllegalArgumentException(
+            "what is over as soon as it happens does not last; leave out '" + SoundType.FOR + "'");
+      }
+      if (timed.forNanos() > 0 && item.number(SoundType.FOR) > 0) {
+        throw new IllegalArgumentException(
+            "'" + SoundType.FOR + "' is said twice; leave it out of '" + SoundType.WHEN + "', or here");
       }
       return new AlertConfig(name, item.text(SoundType.WHEN), condition, Sound.parse(item.placed(SoundType.SOUND)),
           item.number(SoundType.VOLUME), words(item, name),
-          nanos(item, SoundType.FOR), nanos(item, SoundType.REPEAT), item.flag(SoundType.MUTED));
+          timed.forNanos() + nanos(item, SoundType.FOR), nanos(item, SoundType.REPEAT), item.flag(SoundType.MUTED),
+          script(item));
     } catch (IllegalArgumentException e) {
       throw new IllegalArgumentException("alert " + number + " (" + name + "): " + e.getMessage(), e);
     }
+  }
+
+  private static Optional<Path> script(Settings item) {
+    return item.has(SoundType.SCRIPT)
+        ? Optional.of(item.placed(SoundType.SCRIPT)).map(written -> written.resolve(written.value().toString()))
+        : Optional.empty();
   }
 
   private static String words(Settings item, String name) {

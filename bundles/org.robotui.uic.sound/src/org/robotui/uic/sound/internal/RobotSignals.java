@@ -9,10 +9,12 @@ import org.robotui.api.link.LinkState;
 import org.robotui.api.port.Envelope;
 import org.robotui.api.port.Input;
 import org.robotui.api.port.SourceId;
+import org.robotui.api.time.RobotClock;
+import org.robotui.condition.Signals;
+import org.robotui.condition.SourceName;
 import org.robotui.data.Data;
+import org.robotui.data.Stamp;
 import org.robotui.data.status.LogEntry;
-import org.robotui.uic.sound.internal.alert.Signals;
-import org.robotui.uic.sound.internal.alert.SourceName;
 
 /** What the alerts look at, asked of the robot only as far as they need it. The thread of the tick. */
 final class RobotSignals implements Signals {
@@ -61,7 +63,18 @@ final class RobotSignals implements Signals {
   private Reading reading(SourceId id) {
     List<Envelope<? extends Data>> newest =
         input.latest(id).stream().<Envelope<? extends Data>>map(envelope -> envelope).toList();
-    return new Reading(id.port(), input.state(id), newest);
+    return new Reading(id.port(), input.state(id), newest,
+        newest.stream().mapToDouble(this::delay).filter(Double::isFinite).findFirst());
+  }
+
+  /** By the clock of the robot, as far as stamps are of it; not a number where they are not. */
+  private double delay(Envelope<? extends Data> envelope) {
+    RobotClock clock = ruic.clock();
+    long nanos = System.nanoTime();
+    Stamp now = clock.now();
+    double age = clock.ageSeconds(envelope.receivedNanos(), nanos);
+    return envelope.stamp().filter(stamp -> stamp.clock() == now.clock())
+        .map(stamp -> (now.nanos() - stamp.nanos()) * 1e-9 - age).orElse(Double.NaN);
   }
 
   @Override

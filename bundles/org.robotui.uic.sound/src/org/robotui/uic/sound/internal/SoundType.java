@@ -1,8 +1,14 @@
 package org.robotui.uic.sound.internal;
 
+import java.io.IOException;
+import java.nio.file.InvalidPathException;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.osgi.service.component.annotations.Component;
+import org.osgi.service.component.annotations.Reference;
+import org.osgi.service.component.annotations.ReferenceCardinality;
+import org.osgi.service.component.annotations.ReferencePolicy;
 import org.robotui.api.Descriptor;
 import org.robotui.api.Uic;
 import org.robotui.api.UicContext;
@@ -17,8 +23,11 @@ import org.robotui.api.config.ValueType;
 import org.robotui.api.port.Arity;
 import org.robotui.api.port.Intake;
 import org.robotui.api.port.StreamPort;
+import org.robotui.api.script.ScriptSource;
+import org.robotui.api.script.Scripts;
+import org.robotui.condition.TimedCondition;
 import org.robotui.data.Data;
-import org.robotui.uic.sound.internal.alert.Conditions;
+import org.robotui.uic.sound.internal.alert.AlertScripts;
 import org.robotui.uic.sound.internal.tone.LineSpeaker;
 import org.robotui.uic.sound.internal.tone.Player;
 import org.robotui.uic.sound.internal.tone.ProgramVoice;
@@ -41,6 +50,7 @@ public final class SoundType implements UicType {
   static final String REPEAT = "repeat";
   static final String SPEECH = "speech";
   static final String WORDS = "words";
+  static final String SCRIPT = "script";
 
   /** What the conditions look at; nothing else is asked of the robot. */
   static final StreamPort<Data> SIGNALS =
@@ -50,7 +60,7 @@ public final class SoundType implements UicType {
 
   static final Schema ALERT = Schema.of(
       Setting.optional(NAME, new ValueType.Text(), "What users read; without it, the condition."),
-      Setting.required(WHEN, new ValueType.Text(TextRule.readBy("a condition", text -> Conditions.parse(text, 0))),
+      Setting.required(WHEN, new ValueType.Text(TextRule.readBy("a condition", text -> TimedCondition.parse(text, 0))),
           "For example battery charge < 0.2, scan stale, link lost, diagnostics >= ERROR, log >= ERROR, or several with "
               + "and, or, not, brackets, + - * /, age(scan) and rate(scan)."),
       Setting.of(HYSTERESIS, new ValueType.Num(0, MOST, ""), 0.0,
@@ -66,6 +76,9 @@ public final class SoundType implements UicType {
       Setting.optional(WORDS, new ValueType.Text(),
           "What is spoken behind the name of the robot; without it, the name of the alert."),
       Setting.of(REPEAT, new ValueType.Num(0, 3600, "s"), 10.0, "How often it is heard while it lasts; 0 for once."),
+      Setting.optional(SCRIPT,
+          new ValueType.WithPlace(new ValueType.Text(TextRule.matching("a script, such as go-home.js", ".+\\.js"))),
+          "A script that is run when it begins, also where it is muted; a path relative to the configuration."),
       Setting.of(MUTED, new ValueType.Flag(), false, "Whether it is only written to the log."));
 
   static final Schema SCHEMA = Schema.of(
@@ -82,6 +95,9 @@ public final class SoundType implements UicType {
       "Sounds an alert while a condition about the robot holds.",
       SCHEMA, List.of(SIGNALS));
 
+  @Reference(cardinality = ReferenceCardinality.MULTIPLE, policy = ReferencePolicy.DYNAMIC)
+  private volatile List<Scripts> engines = List.of();
+
   @Override
   public Descriptor descriptor() {
     return DESCRIPTOR;
@@ -95,7 +111,20 @@ public final class SoundType implements UicType {
       return List.of(Placed.nowhere("").fault(e.getMessage()));
     }
     return settings.list(ALERTS).stream().map(Settings.class::cast)
-        .flatMap(alert -> fault(alert.placed(SOUND)).stream()).toList();
+        .flatMap(alert -> Stream.concat(fault(alert.placed(SOUND)).stream(), script(alert).stream())).toList();
+  }
+
+  private static Optional<SettingFault> script(Settings alert) {
+    return alert.has(SCRIPT) ? script(alert.placed(SCRIPT)) : Optional.empty();
+  }
+
+  private static Optional<SettingFault> script(Placed written) {
+    try {
+      ScriptSource.read(written.resolve(written.value().toString()));
+      return Optional.empty();
+    } catch (IOException | InvalidPathException e) {
+      return Optional.of(written.fault("'" + SCRIPT + "': " + e.getMessage()));
+    }
   }
 
   private static Optional<SettingFault> fault(Placed sound) {
@@ -120,6 +149,8 @@ public final class SoundType implements UicType {
     Player player = new Player(context.background(), () -> new LineSpeaker(),
         new ProgramVoice(System.getenv().getOrDefault("PATH", "/usr/local/bin:/usr/bin:/bin")), TerminalBell::ring,
         reason -> LOG.warn("{}: alerts are written here but not heard: {}", who, reason));
-    return new SoundUic(context, AlertReader.read(settings), player);
+    AlertScripts scripts = new AlertScripts(context.ruic().name(), () -> engines.stream().findFirst(),
+        context.background(), context::alert);
+    return new SoundUic(context, AlertReader.read(settings), player, scripts);
   }
 }

@@ -8,12 +8,14 @@ import org.robotui.api.UicContext;
 import org.robotui.api.config.Settings;
 import org.robotui.uic.sound.internal.alert.Alert;
 import org.robotui.uic.sound.internal.alert.AlertConfig;
+import org.robotui.uic.sound.internal.alert.AlertScripts;
 import org.robotui.uic.sound.internal.tone.Player;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Watches the conditions of a robot's alerts, tells the user, which core also writes to the log, and has them heard.
+ * Watches the conditions of a robot's alerts, tells the user, which core also writes to the log, has them heard, and
+ * runs their scripts.
  */
 final class SoundUic implements Uic {
   private static final Logger LOG = LoggerFactory.getLogger(SoundUic.class);
@@ -21,15 +23,17 @@ final class SoundUic implements Uic {
   private final UicContext context;
   private final List<Alert> alerts;
   private final Player player;
+  private final AlertScripts scripts;
   private final RobotSignals signals;
   private final String robot;
   private String mistake = "";
   private Optional<Instant> muted = Optional.empty();
 
-  SoundUic(UicContext context, List<AlertConfig> alerts, Player player) {
+  SoundUic(UicContext context, List<AlertConfig> alerts, Player player, AlertScripts scripts) {
     this.context = context;
     this.alerts = alerts.stream().map(Alert::new).toList();
     this.player = player;
+    this.scripts = scripts;
     this.robot = context.ruic().name();
     this.signals = new RobotSignals(context.input(SoundType.SIGNALS), context.ruic(),
         candidate -> alerts.stream().anyMatch(alert -> alert.condition().needs().test(candidate)));
@@ -55,6 +59,7 @@ final class SoundUic implements Uic {
         context.alert(alert.config().name() + ": " + alert.detail());
         list(alert);
         sound(alert);
+        scripts.begin(alert.config(), alert.seen());
       }
       case REPEATED -> {
         list(alert);
@@ -116,5 +121,6 @@ final class SoundUic implements Uic {
   @Override
   public void close() {
     // What sounds is interrupted by core, whose threads it uses.
+    scripts.close();
   }
 }

@@ -38,11 +38,19 @@ class SoundFaultsTest {
   }
 
   @Test
+  void aScriptIsAFileBesideTheConfiguration() throws IOException {
+    Files.writeString(folder.resolve("home.js"), "print(alert.name)");
+    assertEquals(List.of(), faults(Map.of(SoundType.SCRIPT, written("home.js"))));
+    assertEquals(List.of("robot.yaml:4:9: 'script': the script none.js is not there"),
+        faults(Map.of(SoundType.SCRIPT, written("none.js"))));
+  }
+
+  @Test
   void theSchemaKnowsConditionsTimesAndSounds() {
-    assertEquals(Optional.empty(), fault(SoundType.ALERT, SoundType.WHEN, "battery charge < 0.2"));
+    assertEquals(Optional.empty(), fault(SoundType.ALERT, SoundType.WHEN, "battery charge < 0.2 for 5 s"));
     assertEquals(
         "'battery <<' cannot be read; write a source, a field, a comparison and a value, for example 'battery charge < 0.2', "
-            + "'scan stale', 'link lost', 'diagnostics >= ERROR' or 'log >= ERROR'",
+            + "'battery status changes', 'scan stale', 'link lost', 'diagnostics >= ERROR' or 'log >= ERROR'",
         fault(SoundType.ALERT, SoundType.WHEN, "battery <<").orElseThrow());
     assertEquals("there is no sound '../../../etc/passwd'; write one of beep, chime, alarm, or the path of a .wav file",
         fault(SoundType.ALERT, SoundType.SOUND, "../../../etc/passwd").orElseThrow());
@@ -58,8 +66,17 @@ class SoundFaultsTest {
   }
 
   private List<String> faults(String sound) {
-    Placed written = new Placed(sound, folder.resolve("robot.yaml").toString(), 4, 9);
-    Settings alert = filled(SoundType.ALERT, Map.of(SoundType.WHEN, "link lost", SoundType.SOUND, written));
+    return faults(Map.of(SoundType.SOUND, written(sound)));
+  }
+
+  private Placed written(String value) {
+    return new Placed(value, folder.resolve("robot.yaml").toString(), 4, 9);
+  }
+
+  private List<String> faults(Map<String, Object> of) {
+    Map<String, Object> values = new HashMap<>(of);
+    values.put(SoundType.WHEN, "link lost");
+    Settings alert = filled(SoundType.ALERT, values);
     return new SoundType().faults(filled(SoundType.SCHEMA, Map.of(SoundType.ALERTS, List.of(alert)))).stream()
         .map(SettingFault::toString).map(s -> s.replace(folder + "/", "")).toList();
   }

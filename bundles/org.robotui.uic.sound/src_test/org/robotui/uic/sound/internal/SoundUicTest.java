@@ -29,6 +29,7 @@ import org.robotui.data.status.LogEntry;
 import org.robotui.data.status.Severity;
 import org.robotui.testkit.FakeInput;
 import org.robotui.testkit.FakeUicContext;
+import org.robotui.uic.sound.internal.alert.AlertScripts;
 import org.robotui.uic.sound.internal.tone.Player;
 import org.robotui.uic.sound.internal.tone.Tone;
 
@@ -197,7 +198,9 @@ class SoundUicTest {
     assertMistake(Map.of("when", "link lost", "sound", "ping"),
         "alert 1 (link lost): there is no sound 'ping'; write one of beep, chime, alarm, or the path of a .wav file");
     assertMistake(Map.of("when", "log >= ERROR", "for", 2.0),
-        "alert 1 (log >= ERROR): an entry of a log does not last; leave out 'for'");
+        "alert 1 (log >= ERROR): what is over as soon as it happens does not last; leave out 'for'");
+    assertMistake(Map.of("when", "link lost for 2 s", "for", 2.0),
+        "alert 1 (link lost for 2 s): 'for' is said twice; leave it out of 'when', or here");
     Exception e = assertThrows(IllegalArgumentException.class, () -> Mute.time("6 pm"));
     assertEquals("muted_until: '6 pm' is no time; write for example 2026-11-21T18:00, or with Z for UTC",
         e.getMessage());
@@ -227,7 +230,8 @@ class SoundUicTest {
     Player player =
         new Player(Runnable::run, () -> (sound, volume) -> heard.add(sound.samples().length + " at " + volume),
             heard::add, () -> heard.add("bell"), heard::add);
-    return new SoundUic(context, AlertReader.read(settings), player);
+    return new SoundUic(context, AlertReader.read(settings), player,
+        new AlertScripts(context.ruic().name(), Optional::empty, Runnable::run, context::alert));
   }
 
   private static Settings settings(List<Settings> alerts) {

@@ -5,9 +5,11 @@ import java.util.Optional;
 import org.eclipse.swt.widgets.Composite;
 import org.robotui.api.UicContext;
 import org.robotui.api.show.Subject;
+import org.robotui.data.FrameId;
 import org.robotui.ui.Icon;
 import org.robotui.ui.SurfaceUic;
 import org.robotui.ui.UiContext;
+import org.robotui.ui.ViewItem;
 import org.robotui.ui.ViewKey;
 import org.robotui.ui.diagram.DiagramCanvas;
 import org.robotui.ui.diagram.DiagramWishes;
@@ -53,10 +55,19 @@ final class TfTreeUic extends SurfaceUic<TfTreeSurface> implements DiagramWishes
   }
 
   @Override
+  public List<ViewItem> items() {
+    return model.frames().stream().map(id -> new ViewItem("Frame", id.name(), id.robot(), () -> select(id))).toList();
+  }
+
+  @Override
   public void show(String showing, Subject subject) {
     if (subject instanceof Subject.Frame frame) {
-      ask(model.ask().search("").problems(false).opened().select(Optional.of(frame.frame())));
+      select(frame.frame());
     }
+  }
+
+  private void select(FrameId frame) {
+    ask(model.ask().search("").problems(false).opened().select(Optional.of(frame)));
   }
 
   @Override

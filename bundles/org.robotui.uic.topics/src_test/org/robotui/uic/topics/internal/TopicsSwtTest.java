@@ -1,16 +1,19 @@
 package org.robotui.uic.topics.internal;
 
+import static java.nio.charset.StandardCharsets.US_ASCII;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalLong;
 import java.util.Set;
 import java.util.function.BooleanSupplier;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.layout.FillLayout;
 import org.eclipse.swt.widgets.Display;
+import org.eclipse.swt.widgets.Event;
 import org.eclipse.swt.widgets.Shell;
 import org.eclipse.swt.widgets.Text;
 import org.junit.jupiter.api.AfterEach;
@@ -19,10 +22,17 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIf;
 import org.robotui.api.port.Browser.Kind;
 import org.robotui.api.port.Input.Candidate;
+import org.robotui.api.port.RawMessage;
 import org.robotui.api.port.SourceId;
+import org.robotui.data.array.Bytes;
+import org.robotui.data.record.DynamicRecord;
+import org.robotui.data.record.FieldValue;
+import org.robotui.data.record.MapRecord;
 import org.robotui.testkit.Displays;
 import org.robotui.testkit.FakeAuthority;
 import org.robotui.testkit.FakeUicContext;
+import org.robotui.testkit.KeptHistory;
+import org.robotui.testkit.KeptTimeline;
 import org.robotui.testkit.TestDisplay;
 import org.robotui.ui.Theme;
 import org.robotui.ui.Themes;
@@ -165,6 +175,35 @@ class TopicsSwtTest {
     context.input(TopicsPorts.ALL).put(ODOM, Fields.odometry(1), System.nanoTime(), Optional.empty());
     settle(() -> model.look().echo().record().isPresent());
     settle(() -> note.equals("1 stream taken"));
+  }
+
+  @Test
+  void messagesOfARecordingFollowTheTimelineAndMoveIt() {
+    KeptTimeline timeline = new KeptTimeline();
+    KeptHistory history = new KeptHistory(timeline);
+    for (int i = 0; i < 50; i++) {
+      DynamicRecord record = new MapRecord("demo/Mode", Map.of("number", new FieldValue.Num(i, Integer.toString(i))));
+      history.add("odom", KeptHistory.BEGIN + i * KeptHistory.SECOND, OptionalLong.empty(), record,
+          Optional.of(new RawMessage("demo/Mode", "json", Bytes.of("number is 0123456789".getBytes(US_ASCII)),
+              any -> Optional.of(record))));
+    }
+    context.input(TopicsPorts.ALL).history(ODOM, history);
+    timeline.seek(KeptHistory.BEGIN + 10 * KeptHistory.SECOND);
+    connect();
+    stage.select("/odom");
+    stage.messages();
+    settle(() -> stage.changed().equals(List.of("number")));
+    assertEquals(50, stage.listed().list().rows().size());
+    assertEquals(10, stage.listed().list().rows().indexOf(stage.listed().list().selected().getFirst()));
+    assertEquals(Set.of(), context.input(TopicsPorts.ALL).chosen(), "it is not asked for by playing");
+    assertEquals(List.of("number is 012345", "6789"), stage.letters());
+
+    timeline.seek(KeptHistory.BEGIN + 30 * KeptHistory.SECOND);
+    settle(() -> stage.listed().list().rows().indexOf(stage.listed().list().selected().getFirst()) == 30);
+    Event up = new Event();
+    up.keyCode = SWT.ARROW_UP;
+    stage.listed().list().control().notifyListeners(SWT.KeyDown, up);
+    assertEquals(KeptHistory.BEGIN + 29 * KeptHistory.SECOND, timeline.sought.getLast());
   }
 
   @Test

@@ -16,6 +16,7 @@ import org.robotui.api.host.RuicState;
 import org.robotui.api.show.Subject;
 import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
+import org.robotui.ui.ViewItem;
 
 /**
  * The views of one RUIC as they are arranged: in this part of its main window, and in windows of their own, which come
@@ -86,6 +87,19 @@ public final class RuicSurface extends Composite {
         .map(h -> new ViewEntry(h.id(), type(components, h.id()), ruic.title(h.id()), failed.contains(h.id()),
             s.isSeen(h), h.actions(), h.keys())))
         .toList();
+  }
+
+  /** What its views list and users look for by name; choosing one brings its view to the front first. */
+  public List<ViewItem> items() {
+    return stacks().flatMap(ViewStack::holders).flatMap(h -> h.items().stream().map(item -> inFront(h.id(), item)))
+        .toList();
+  }
+
+  private ViewItem inFront(String id, ViewItem item) {
+    return new ViewItem(item.kind(), item.name(), item.detail(), () -> {
+      reveal(id);
+      item.show().run();
+    });
   }
 
   private static String type(List<ComponentStatus> components, String id) {

@@ -20,6 +20,7 @@ import org.robotui.ui.SwtUic;
 import org.robotui.ui.Theme;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.ViewAction;
+import org.robotui.ui.ViewItem;
 import org.robotui.ui.ViewKey;
 import org.robotui.workbench.internal.pane.MessagePane;
 import org.slf4j.Logger;
@@ -74,6 +75,10 @@ final class ViewHolder extends Composite implements UiContext {
 
   List<ViewKey> keys() {
     return shown.map(SwtUic::keys).orElse(List.of());
+  }
+
+  List<ViewItem> items() {
+    return shown.map(SwtUic::items).orElse(List.of());
   }
 
   /** How near to a failure code of the view lies; none where it took no part. */

@@ -57,6 +57,9 @@ public final class Navigator extends Composite {
 
     /** Asks for another framework in place of the one that it has. */
     void exchange(String ruic);
+
+    /** Shows what its configuration says, to be changed. */
+    void settings(String ruic);
   }
 
   private static final int HEADING = 36;
@@ -201,6 +204,7 @@ public final class Navigator extends Composite {
     }
     menu.push("Show connections", () -> actions.connections(name));
     menu.push("Change framework\u2026", () -> actions.exchange(name));
+    menu.push("Settings\u2026", () -> actions.settings(name));
     menu.push("Restart", () -> actions.restart(name));
     menu.line();
     menu.push(actions.closing(name).orElse("Remove"), () -> actions.remove(name));

@@ -20,8 +20,8 @@ import org.robotui.workbench.internal.dock.RuicSurface;
 import org.robotui.workbench.internal.dock.ViewEntry;
 
 /**
- * What the search of a window finds: robots, views and what they can do, views to add, all commands, preferences, and
- * what the robot sends. Display thread only.
+ * What the search of a window finds: robots, views and what they can do, views to add, all commands, preferences, what
+ * the robot sends, and what views list. Display thread only.
  */
 final class SearchEntries {
   private final WorkbenchSession session;
@@ -65,6 +65,8 @@ final class SearchEntries {
         .forEach(choice -> entries.add(new SearchEntry("View", "Add view: " + choice.label(), "", choice.run()))));
     entries.addAll(pages());
     session.model(window).selected().ifPresent(ruic -> entries.addAll(ports(ruic, actions)));
+    surface().ifPresent(shown -> shown.items()
+        .forEach(item -> entries.add(new SearchEntry(item.kind(), item.name(), item.detail(), item.show()))));
     entries.add(new SearchEntry("Platform", "Search everything of the platform\u2026", "",
         () -> new WorkbenchCommands(window).run("org.eclipse.ui.window.quickAccess")));
     return entries;

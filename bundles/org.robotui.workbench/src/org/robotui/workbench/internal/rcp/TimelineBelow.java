@@ -24,7 +24,8 @@ final class TimelineBelow {
     Composite views = place(both, SWT.FILL, true);
     Composite time = place(both, SWT.BOTTOM, false);
     BarState bar = new BarState();
-    new Rebuilt<>(time, session, (parent, theme) -> new TimelineBar(parent, theme, session.timeline(), bar),
+    new Rebuilt<>(time, session, (parent, theme) -> new TimelineBar(parent, theme, session.timeline(),
+        session.search(), session.compare(), session.analysis(), bar),
         control -> {});
     return views;
   }

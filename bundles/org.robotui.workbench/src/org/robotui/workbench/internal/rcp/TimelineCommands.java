@@ -40,6 +40,7 @@ public final class TimelineCommands extends AbstractHandler {
       case "bookmark" -> timeline.mark(new Bookmark(timeline.state().position(), ""));
       case "bookmark.next" -> moves.bookmark(true);
       case "bookmark.former" -> moves.bookmark(false);
+      case "find" -> WorkbenchServices.session().search().ask();
       case "faster" -> moves.faster(true);
       case "slower" -> moves.faster(false);
       default -> throw new ExecutionException("no such command: " + PREFIX + command);

@@ -11,6 +11,7 @@ import org.eclipse.swt.widgets.Control;
 import org.eclipse.swt.widgets.FileDialog;
 import org.eclipse.swt.widgets.Shell;
 import org.eclipse.ui.IWorkbenchWindow;
+import org.eclipse.ui.dialogs.PreferencesUtil;
 import org.robotui.api.command.Authority;
 import org.robotui.api.host.InterfaceConfig;
 import org.robotui.api.host.Ruic;
@@ -194,6 +195,11 @@ final class WindowActions implements TopBar.Actions, Navigator.Actions, RobotAre
   @Override
   public void exchange(String ruic) {
     dialog(ruic).ifPresent(ExchangeDialog::open);
+  }
+
+  @Override
+  public void settings(String ruic) {
+    PreferencesUtil.createPreferenceDialogOn(window.getShell(), RobotsPage.ID, null, ruic).open();
   }
 
   /** Somebody has written another robot interface into the file. */

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Set;
+import org.robotui.api.replay.FoundEvent;
 import org.robotui.api.replay.TimeRange;
 import org.robotui.api.replay.TimelineState;
 import org.robotui.api.replay.Track;
@@ -27,6 +28,9 @@ public final class BarState {
   private Optional<TimeRange> zoom = Optional.empty();
   private OptionalInt pointer = OptionalInt.empty();
   private boolean expanded;
+  private List<FoundEvent> events = List.of();
+  private List<FoundRow> found = List.of();
+  private List<Track> placed = List.of();
 
   /** Takes up how things stand. */
   void take(TimelineState now, List<Track> open) {
@@ -39,6 +43,20 @@ public final class BarState {
     if (now.playing()) {
       zoom = zoom.map(z -> new TimeScale(z, 0, 1).paged(now.position(), all()));
     }
+  }
+
+  /** Takes up what was found, as the recordings lie now. */
+  void take(List<FoundEvent> now, List<Track> open) {
+    if (!now.equals(events) || !open.equals(placed)) {
+      events = now;
+      placed = open;
+      found = FoundRow.of(events, open);
+    }
+  }
+
+  /** What was found, by time. */
+  List<FoundRow> found() {
+    return found;
   }
 
   TimelineState state() {

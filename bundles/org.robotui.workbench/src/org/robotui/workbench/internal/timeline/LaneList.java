@@ -1,13 +1,17 @@
 package org.robotui.workbench.internal.timeline;
 
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.BiConsumer;
+import org.eclipse.jface.dialogs.MessageDialog;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.graphics.GC;
 import org.eclipse.swt.graphics.Point;
 import org.eclipse.swt.graphics.Rectangle;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Event;
+import org.robotui.api.replay.OffsetEstimate;
 import org.robotui.api.replay.Track;
 import org.robotui.ui.PaintedCanvas;
 import org.robotui.ui.Role;
@@ -15,18 +19,23 @@ import org.robotui.ui.Theme;
 import org.robotui.ui.control.Clipboards;
 import org.robotui.ui.control.NameDialog;
 import org.robotui.ui.control.PopupMenu;
+import org.robotui.ui.control.SaveDialog;
 import org.robotui.workbench.internal.timeline.LaneRows.Row;
+import org.robotui.workbench.internal.timeline.RecordingCalls.Answer;
 
 /** The recordings with their topics, above the strip and at its scale. Display thread only. */
 final class LaneList {
   private static final int MOST_ROWS = 9;
   private static final int THUMB = 4;
   private static final int INSET = 26;
+  private static final int MOST_OTHERS = 8;
 
   private final Theme theme;
   private final BarState bar;
   private final LiveTimeline live;
   private final Runnable changed;
+  private final TrackAnalysis analysis;
+  private final BiConsumer<Track, String> compare;
   private final PaintedCanvas canvas;
   private final LanePaint paint;
   private final TimeHands hands;
@@ -35,11 +44,14 @@ final class LaneList {
   private Optional<Row> under = Optional.empty();
 
   /** A list of what a bar shows; {@code changed} is run when something is to be painted, or laid out, anew. */
-  LaneList(Composite parent, Theme theme, BarState bar, LiveTimeline live, NewestSeek seek, Runnable changed) {
+  LaneList(Composite parent, Theme theme, BarState bar, LiveTimeline live, NewestSeek seek, Runnable changed,
+      TrackAnalysis analysis, BiConsumer<Track, String> compare) {
     this.theme = theme;
     this.bar = bar;
     this.live = live;
     this.changed = changed;
+    this.analysis = analysis;
+    this.compare = compare;
     paint = new LanePaint(theme, bar, live);
     canvas = new PaintedCanvas(parent, SWT.NONE, theme, Role.PANEL, this::paint);
     // Before the hands: over more rows than are seen the wheel moves the rows.
@@ -155,8 +167,17 @@ final class LaneList {
       menu.check("Step by the Messages of " + topic.of().lane().topic(),
           live.stepped().filter(topic.id()::equals).isPresent(), on -> live.stepBy(topic.id())).line();
     }
+    if (row instanceof Row.Topic topic && live.tracks().size() > 1) {
+      menu.push("Compare " + topic.of().lane().topic() + " with Another Recording\u2026",
+          () -> compare.accept(track, topic.of().lane().topic())).line();
+    }
     menu.push("Offset of " + track.file().getFileName() + " (" + TimeWords.offset(track.offset()) + " s)\u2026",
-        () -> askOffset(track));
+        () -> askOffset(track, "Seconds added to the times of " + track.file().getFileName(), track.offset()));
+    live.tracks().stream().filter(other -> !other.id().equals(track.id())).limit(MOST_OTHERS)
+        .forEach(other -> menu.push("Estimate Offset from " + other.id().robot() + ", "
+            + other.file().getFileName() + "\u2026", !analysis.isBusy(track.id()), () -> estimate(other, track)));
+    menu.push("Write a Report of " + track.file().getFileName() + "\u2026", !analysis.isBusy(track.id()),
+        () -> report(track));
     menu.push("Begin with the Earliest Recording", track.span().start() > bar.all().start(),
         () -> live.timeline().ifPresent(t -> new TimelineMoves(t).align(track)));
     menu.push("Reset Offset", track.offset() != 0, () -> live.timeline().ifPresent(t -> t.shift(track.id(), 0)));
@@ -165,9 +186,45 @@ final class LaneList {
     menu.open(at);
   }
 
-  private void askOffset(Track track) {
-    NameDialog.ask(canvas, "Seconds added to the times of " + track.file().getFileName(),
-        TimeWords.offset(track.offset()), words -> TimeWords.nanos(words).isPresent())
+  /** What was found is a proposal: the user sees what it was found by, and takes it, another one or none. */
+  private void estimate(Track reference, Track moved) {
+    String times = "seconds added to the times of " + moved.file().getFileName();
+    analysis.offset(reference.id(), moved.id(), answer -> {
+      if (!canvas.isDisposed()) {
+        switch (answer) {
+          case Answer.Given<OffsetEstimate> given -> askOffset(moved, words(given.value()) + "; " + times,
+              rounded(given.value().offset()));
+          case Answer.Failed<OffsetEstimate> failed -> askOffset(moved, failed.why() + "; " + times, moved.offset());
+        }
+      }
+    });
+  }
+
+  private static String words(OffsetEstimate found) {
+    return found.basis() + ", deviation " + TimeWords.offset(rounded(found.deviation())) + "\u00a0s";
+  }
+
+  private void report(Track track) {
+    String name = track.file().getFileName().toString();
+    SaveDialog.ask(canvas, "Write a Report", name.replaceFirst("\\.[^.]*$", "") + ".html", "*.html")
+        .ifPresent(file -> analysis.report(track.id(), file, answer -> {
+          if (!canvas.isDisposed()) {
+            String words = switch (answer) {
+              case Answer.Given<Path> given -> "It was written to " + given.value();
+              case Answer.Failed<Path> failed -> "There is none: " + failed.why();
+            };
+            MessageDialog.openInformation(canvas.getShell(), "Report of " + name, words);
+          }
+        }));
+  }
+
+  /** To milliseconds: nobody can judge more. */
+  private static long rounded(long nanos) {
+    return Math.round(nanos * 1e-6) * 1_000_000;
+  }
+
+  private void askOffset(Track track, String title, long proposed) {
+    NameDialog.ask(canvas, title, TimeWords.offset(proposed), words -> TimeWords.nanos(words).isPresent())
         .flatMap(TimeWords::nanos)
         .ifPresent(nanos -> live.timeline().ifPresent(t -> t.shift(track.id(), nanos)));
   }

@@ -24,6 +24,7 @@ record StripPaint(Theme theme, BarState bar) {
 
   private static final int TICK_DISTANCE = 84;
   private static final int FLAG = 4;
+  private static final int FOUND = 4;
   private static final int GRIP = 5;
 
   void paint(GC gc, Rectangle area, double[] columns, boolean focused) {
@@ -35,6 +36,7 @@ record StripPaint(Theme theme, BarState bar) {
     gc.setClipping(time.x - GRIP, 0, time.width + 2 * GRIP, area.height);
     TimePaint.density(gc, columns, time.x, BODY + 2, MARKS - BODY - 2, theme.mix(Role.ACCENT, Role.GROUND, 0.55));
     TimelineMoves.played(bar.state()).ifPresent(played -> range(gc, scale, played));
+    found(gc, scale);
     bar.state().bookmarks().forEach(mark -> flag(gc, scale, mark));
     position(gc, scale);
     bar.pointer().ifPresent(x -> pointer(gc, scale, x, time));
@@ -76,6 +78,19 @@ record StripPaint(Theme theme, BarState bar) {
     gc.fillRoundRectangle(to, BODY, GRIP, MARKS - BODY, 3, 3);
   }
 
+  /** Times at which something was so: a line at the top of the body, at least so wide that it is seen. */
+  private void found(GC gc, TimeScale scale) {
+    gc.setBackground(theme.color(Role.WARNING));
+    int right = scale.left() + scale.width();
+    for (FoundRow row : bar.found()) {
+      int from = Math.max(scale.left(), scale.x(row.range().start()) - 1);
+      int to = Math.min(right, Math.max(scale.x(row.range().end()), scale.x(row.range().start()) + 1));
+      if (to >= from) {
+        gc.fillRectangle(from, BODY, to - from + 1, FOUND);
+      }
+    }
+  }
+
   private void flag(GC gc, TimeScale scale, Bookmark mark) {
     int x = scale.x(mark.time());
     TimePaint.line(gc, scale, x, BODY, MARKS, theme.color(Role.PLAN), 1);
@@ -105,6 +120,7 @@ record StripPaint(Theme theme, BarState bar) {
     String when = TimeWords.seconds(at - bar.all().start());
     return mark(bar.state().bookmarks(), scale, x).map(m -> TimeWords.seconds(m.time() - bar.all().start()) + "  "
         + (m.note().isEmpty() ? "bookmark" : m.note()))
+        .or(() -> found(bar.found(), at).map(row -> when + "  " + row.words()))
         .orElseGet(() -> when + "  " + counted(TrackLane.all(bar.tracks()), scale, at));
   }
 
@@ -115,6 +131,11 @@ record StripPaint(Theme theme, BarState bar) {
     Counted counted = LaneDensity.count(lanes, new TimeRange(at, at + scale.point()));
     return TimeWords.messages(counted.messages()) + (counted.messages() == 0 ? ""
         : " in " + TimeWords.seconds(counted.parts().length()));
+  }
+
+  /** What was so at a time. */
+  private static Optional<FoundRow> found(List<FoundRow> rows, long at) {
+    return rows.stream().filter(row -> row.range().start() <= at && at <= row.range().end()).findFirst();
   }
 
   /** The bookmark at a place, where there is one. */

@@ -39,8 +39,12 @@ final class TransportRow {
   private final PlainLabel lagging;
   private final QuietButton problems;
 
-  /** A row for a bar; {@code expanded} is run when recordings are to be shown, or not any more. */
-  TransportRow(Composite parent, Theme theme, BarState bar, LiveTimeline live, Runnable expanded) {
+  /**
+   * A row for a bar; {@code expanded} is run when recordings are to be shown, or not any more, {@code find} when they
+   * are to be searched.
+   */
+  TransportRow(Composite parent, Theme theme, BarState bar, LiveTimeline live, Runnable expanded, Runnable find,
+      Runnable compare) {
     this.theme = theme;
     this.bar = bar;
     this.live = live;
@@ -55,6 +59,8 @@ final class TransportRow {
     QuietButton[] marks = new QuietButton[1];
     marks[0] = button(Icon.BOOKMARK, "Bookmarks",
         t -> new BookmarkMenu(marks[0], bar, t).all().openBelow(marks[0]));
+    button(Icon.FIND, "Find when something was so", t -> find.run());
+    button(Icon.LAYERS, "Compare two recordings", t -> compare.run());
     local = time("0000-00-00 00:00:00.000", "Time of the position, on this machine's clock");
     relative = time("00000.000 s", "Seconds after the start of the recordings");
     lagging = new PlainLabel(row, SWT.NONE, theme, Face.SMALL, Role.WARNING);

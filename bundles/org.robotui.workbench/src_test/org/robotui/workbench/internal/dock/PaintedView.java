@@ -9,6 +9,7 @@ import org.robotui.ui.Role;
 import org.robotui.ui.SwtUic;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.ViewAction;
+import org.robotui.ui.ViewItem;
 import org.robotui.ui.ViewKey;
 
 /** A view that counts what is done to it; it can be made to throw. */
@@ -19,6 +20,7 @@ public class PaintedView implements SwtUic {
   public int painted;
   public boolean throwsOnCreate;
   public boolean throwsOnRefresh;
+  public int shownItems;
   public boolean followed = true;
   public Control control;
 
@@ -64,6 +66,11 @@ public class PaintedView implements SwtUic {
   @Override
   public List<ViewKey> keys() {
     return List.of(new ViewKey("F", "Follow"));
+  }
+
+  @Override
+  public List<ViewItem> items() {
+    return note.isEmpty() ? List.of() : List.of(new ViewItem("Item", "first of " + note, "", () -> shownItems++));
   }
 
   @Override

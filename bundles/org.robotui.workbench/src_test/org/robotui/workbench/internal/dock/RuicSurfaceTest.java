@@ -18,6 +18,7 @@ import org.robotui.api.layout.WindowBounds;
 import org.robotui.testkit.Controls;
 import org.robotui.testkit.TestDisplay;
 import org.robotui.ui.ViewAction;
+import org.robotui.ui.ViewItem;
 import org.robotui.ui.control.QuietButton;
 import org.robotui.workbench.internal.pane.MessagePane;
 
@@ -100,6 +101,19 @@ class RuicSurfaceTest extends SurfaceBench {
     List<QuietButton> seen = Controls.all(line, QuietButton.class).stream().filter(QuietButton::getVisible).toList();
     assertEquals(2, seen.size(), "one action, and the button for what there is no room for");
     assertTrue(seen.stream().allMatch(button -> button.getLocation().x >= 60), "none over the title");
+  }
+
+  @Test
+  void whatAViewListsIsFoundAndBringsTheViewToTheFront() {
+    RuicSurface surface = show(new Layout.Tabs(List.of("map", "camera")));
+    assertEquals(List.of("first of follow"), surface.items().stream().map(ViewItem::name).toList(),
+        "of views seen so far");
+    find(surface, ViewStack.class).choose(1);
+
+    surface.items().getFirst().show().run();
+
+    assertEquals(1, map.shownItems);
+    assertTrue(map.control.isVisible());
   }
 
   @Test

@@ -77,6 +77,11 @@ final class NoActions implements TopBar.Actions, Navigator.Actions, RobotArea.Ac
   }
 
   @Override
+  public void settings(String ruic) {
+    calls.add("settings " + ruic);
+  }
+
+  @Override
   public void exchange(String ruic) {
     calls.add("exchange " + ruic);
   }

@@ -22,6 +22,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIfEnvironmentVariable;
 import org.robotui.api.replay.Bookmark;
+import org.robotui.api.replay.ComparisonWish;
 import org.robotui.api.replay.TimeRange;
 import org.robotui.api.replay.TimelineState;
 import org.robotui.testkit.TestDisplay;
@@ -41,12 +42,18 @@ class TimelineBarTest {
   private final Shell shell = new Shell(TestDisplay.get(), SWT.NO_TRIM);
   private final LiveTimeline live = new LiveTimeline(Runnable::run);
   private final BarState state = new BarState();
+  private final PretendSearch service = new PretendSearch();
+  private final EventSearch search = new EventSearch(Runnable::run, Runnable::run, () -> Optional.of(service));
+  private final RecordingCalls calls = new RecordingCalls(Runnable::run, Runnable::run);
+  private final RunCompare compare =
+      new RunCompare(calls, () -> Optional.of(PretendComparison.CIRCLE));
+  private final TrackAnalysis analysis = new TrackAnalysis(calls, Optional::empty, Optional::empty);
   private TimelineBar bar;
 
   @BeforeEach
   void open() {
     shell.setLayout(new GridLayout(1, false));
-    bar = new TimelineBar(shell, theme, live, state);
+    bar = new TimelineBar(shell, theme, live, search, compare, analysis, state);
     bar.setLayoutData(new GridData(SWT.FILL, SWT.BOTTOM, true, true));
     live.follow(Optional.of(timeline));
     shell.setBounds(0, 0, WIDTH, 500);
@@ -79,8 +86,7 @@ class TimelineBarTest {
   }
 
   private QuietButton button(String hint) {
-    return all(bar).filter(QuietButton.class::isInstance).map(QuietButton.class::cast)
-        .filter(b -> String.valueOf(b.getToolTipText()).startsWith(hint)).findFirst().orElseThrow();
+    return named(all(bar).toList(), hint);
   }
 
   private List<String> texts() {
@@ -232,5 +238,69 @@ class TimelineBarTest {
     timeline.set(new TimelineState(timeline.state().span(), BEGIN, true, 5, false, Optional.empty(), List.of(), true));
     assertTrue(all(bar).anyMatch(c -> c instanceof Label label
         && label.getText().equals("lagging: slower than 5\u00d7")));
+  }
+
+  private List<Control> inFindWindow() {
+    button("Find when").press();
+    return Arrays.stream(shell.getShells()).filter(s -> s.getText().equals("Find in Recordings"))
+        .flatMap(TimelineBarTest::all)
+        .toList();
+  }
+
+  private static QuietButton named(List<Control> controls, String hint) {
+    return controls.stream().filter(QuietButton.class::isInstance).map(QuietButton.class::cast)
+        .filter(b -> String.valueOf(b.getToolTipText()).startsWith(hint)).findFirst().orElseThrow();
+  }
+
+  private void search(List<Control> window, String condition) {
+    Text field = (Text) window.stream().filter(Text.class::isInstance).findFirst().orElseThrow();
+    field.setText(condition);
+    field.notifyListeners(SWT.DefaultSelection, new Event());
+  }
+
+  @Test
+  void whatIsFoundIsListedAndMarkedAndGoesWithItsRecording() {
+    service.events = List.of(PretendSearch.event(PretendTimeline.KEIRA, 100, 110, "battery.charge is 0.1"),
+        PretendSearch.event(PretendTimeline.HUSKY, 70, 71, "battery.charge is 0.2"));
+    List<Control> window = inFindWindow();
+    search(window, "bad words");
+    assertEquals(List.of(), state.found(), "what cannot be read is not searched for");
+    search(window, "battery charge < 0.3");
+    assertEquals(List.of("husky.mcap", "keira-with-a-rather-long-name_2026-11-27.bag"),
+        state.found().stream().map(FoundRow::file).toList());
+    assertEquals(BEGIN + 70 * SECOND, state.found().getFirst().range().start());
+    assertTrue(new StripPaint(theme, state).hint(state.scale(WIDTH), x(105)).endsWith("battery.charge is 0.1"));
+    timeline.shift(PretendTimeline.HUSKY, 60 * SECOND);
+    assertEquals(List.of(100L, 130L),
+        state.found().stream().map(row -> (row.range().start() - BEGIN) / SECOND).toList());
+    named(window, "Keep all").press();
+    assertEquals(List.of("battery.charge is 0.1", "battery.charge is 0.2"),
+        timeline.state().bookmarks().stream().map(Bookmark::note).toList());
+    named(window, "Forget").press();
+    assertEquals(List.of(), state.found());
+  }
+
+  private List<Control> inCompareWindow() {
+    button("Compare two").press();
+    return Arrays.stream(shell.getShells()).filter(s -> s.getText().equals("Compare Recordings"))
+        .flatMap(TimelineBarTest::all).toList();
+  }
+
+  @Test
+  void twoRecordingsAreComparedByATopicOfBoth() {
+    List<Control> window = inCompareWindow();
+    search(window, "imu");
+    assertTrue(compare.standing().words().startsWith("keira.mcap has no topic 'imu'"), compare.standing().words());
+    search(window, "odom linear.x");
+    assertEquals("1834 pairs of 2000 and 1834 values", compare.standing().words());
+    ComparisonWish wish = compare.standing().wish().orElseThrow();
+    assertEquals(List.of(PretendTimeline.HUSKY, PretendTimeline.KEIRA), List.of(wish.first(), wish.second()));
+    assertEquals("odom linear.x", wish.topic());
+    assertEquals(ComparisonWish.Pairing.TIME, wish.pairing());
+    assertEquals(window, inCompareWindow(), "it is one window");
+    bar.compare().propose(timeline.tracks().getFirst(), "/odom");
+    search(window, "odom");
+    assertEquals(List.of(PretendTimeline.KEIRA, PretendTimeline.HUSKY),
+        List.of(compare.standing().wish().orElseThrow().first(), compare.standing().wish().orElseThrow().second()));
   }
 }

@@ -1,6 +1,7 @@
 package org.robotui.core.internal.config.model;
 
 import java.nio.file.Path;
+import java.util.Optional;
 
 /** Reads configurations. */
 public interface ConfigSource {
@@ -23,4 +24,13 @@ public interface ConfigSource {
    * @return problems and RUICs
    */
   ConfigResult read(Path file, String text, TypeLookup types);
+
+  /**
+   * What a text says, section by section, whether it is right or not.
+   *
+   * @param file where it stands
+   * @param text all of it
+   * @return its sections; none where it has none
+   */
+  Optional<WrittenText> written(Path file, String text);
 }

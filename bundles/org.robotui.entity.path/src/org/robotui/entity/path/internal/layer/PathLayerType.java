@@ -43,6 +43,11 @@ public final class PathLayerType implements LayerType {
   }
 
   @Override
+  public boolean occasional() {
+    return true;
+  }
+
+  @Override
   public int level() {
     return 500;
   }

@@ -2,6 +2,7 @@ package org.robotui.rfic.lcm.internal.convert;
 
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
@@ -153,6 +154,9 @@ public final class RecordFiller {
   private static List<?> list(LcmType type, MemberDefinition member, Object value, int dimension) {
     if (value instanceof List<?> list) {
       return list;
+    }
+    if (value instanceof double[] numbers) {
+      return Arrays.stream(numbers).boxed().toList();
     }
     if (value instanceof SortedMap<?, ?> byIndex && !byIndex.isEmpty() && byIndex.firstKey() instanceof Integer) {
       int size = member.dimensions().get(dimension) instanceof Dimension.Fixed fixed ? fixed.size()

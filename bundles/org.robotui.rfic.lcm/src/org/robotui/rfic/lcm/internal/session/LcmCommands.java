@@ -23,6 +23,9 @@ import org.robotui.api.port.Offer;
 import org.robotui.data.Data;
 import org.robotui.data.command.MessageCommand;
 import org.robotui.data.command.Motion;
+import org.robotui.data.command.RelayMessage;
+import org.robotui.data.record.DynamicRecord;
+import org.robotui.data.record.RecordTree;
 import org.robotui.lcm.Lcm;
 import org.robotui.lcm.LcmState;
 import org.robotui.lcm.type.LcmRecord;
@@ -63,6 +66,7 @@ final class LcmCommands implements CommandSink<MessageCommand>, AutoCloseable {
     this.threads = context.threads();
     settings.commands().forEach(c -> offer(context, c, c.form()));
     offers.add(context.offers().command(LcmPorts.PUBLISH, this));
+    offers.add(context.offers().command(LcmPorts.RELAY, this::relay));
   }
 
   private <D extends Data> void offer(RficContext context, LcmSettings.Command command, CommandForm<D> form) {
@@ -134,18 +138,42 @@ final class LcmCommands implements CommandSink<MessageCommand>, AutoCloseable {
 
   @Override
   public Sent send(MessageCommand command) {
-    Optional<LcmType> type = types.type(command.type());
+    return say(command.topic(), command.type(), command.fields());
+  }
+
+  /** A channel has the type of what is heard there; else that of the message, as two robots may share their types. */
+  private Sent relay(RelayMessage said) {
+    Sent sent = relayed(said);
+    said.answer().told(sent instanceof Sent.Refused refused ? Optional.of(refused.reason()) : Optional.empty());
+    return sent;
+  }
+
+  private Sent relayed(RelayMessage said) {
+    Optional<DynamicRecord> record =
+        said.value() instanceof DynamicRecord known ? Optional.of(known) : said.original().record().get();
+    Optional<String> type = Optional.of(said.type()).filter(t -> !t.isEmpty())
+        .or(() -> channels.find(said.topic()).flatMap(Channel::type).map(LcmType::name))
+        .or(() -> record.map(DynamicRecord::schema)).filter(name -> types.type(name).isPresent());
+    if (record.isEmpty() || type.isEmpty()) {
+      return new Sent.Refused("no type of LCM carries " + said.value().getClass().getSimpleName()
+          + " by itself: give the bridge the type of " + said.topic() + " with 'type', and its fields with 'fields'");
+    }
+    return say(said.topic(), type.get(), RecordTree.of(record.get()));
+  }
+
+  private Sent say(String channel, String typeName, Map<String, Object> fields) {
+    Optional<LcmType> type = types.type(typeName);
     if (type.isEmpty()) {
-      return new Sent.Refused("no .lcm file declares the type " + command.type());
+      return new Sent.Refused("no .lcm file declares the type " + typeName);
     }
     Optional<String> other =
-        channels.find(command.topic()).flatMap(Channel::type).map(LcmType::name).filter(t -> !t.equals(command.type()));
+        channels.find(channel).flatMap(Channel::type).map(LcmType::name).filter(t -> !t.equals(typeName));
     if (other.isPresent()) {
-      return new Sent.Refused(command.topic() + " carries " + other.get() + ", not " + command.type());
+      return new Sent.Refused(channel + " carries " + other.get() + ", not " + typeName);
     }
-    return moving.contains(command.topic())
-        ? new Sent.Refused(command.topic() + " moves the robot; drive it with a view that limits and ends the motion")
-        : say(command.topic(), type.get(), command.fields());
+    return moving.contains(channel)
+        ? new Sent.Refused(channel + " moves the robot; drive it with a view that limits and ends the motion")
+        : say(channel, type.get(), fields);
   }
 
   private Sent say(String channel, LcmType type, Map<String, Object> fields) {

@@ -10,11 +10,12 @@ import org.robotui.recording.RecordingException;
 import org.robotui.recording.RecordingReader;
 import org.robotui.recording.Recordings;
 import org.robotui.recording.ScanProgress;
+import org.robotui.rfic.recording.internal.lines.LineLogs;
 
 /** Opens recordings of any framework. */
 public final class RecordingFiles {
   /** What can be opened, for users. */
-  public static final String KNOWN = Recordings.KNOWN + ", and logs of LCM";
+  public static final String KNOWN = Recordings.KNOWN + ", logs of LCM, and " + LineLogs.KNOWN;
 
   private RecordingFiles() {}
 
@@ -26,7 +27,7 @@ public final class RecordingFiles {
    * @throws RecordingException if it cannot be read
    */
   public static boolean isOne(Path file) throws RecordingException {
-    return Recordings.isOne(file) || LcmRecording.isOne(file);
+    return Recordings.isOne(file) || LcmRecording.isOne(file) || LineLogs.isOne(file);
   }
 
   /**
@@ -39,6 +40,9 @@ public final class RecordingFiles {
    * @throws IOException if it cannot be read, or types are not there
    */
   public static RecordingReader open(Path file, List<Path> types, ScanProgress progress) throws IOException {
+    if (LineLogs.isOne(file)) {
+      return LineLogs.open(file, progress);
+    }
     return LcmRecording.isOne(file) ? LcmRecording.open(file, types(types), progress)
         : Recordings.open(file, progress);
   }

@@ -16,6 +16,7 @@ import org.robotui.api.replay.Timeline;
 import org.robotui.api.replay.Timeline.LaneId;
 import org.robotui.api.replay.TimelineState;
 import org.robotui.api.replay.Track;
+import org.robotui.api.script.ActionWatch;
 import org.robotui.api.script.ScriptCall;
 import org.robotui.api.script.ScriptFailure;
 import org.robotui.api.script.ScriptFunction;
@@ -72,6 +73,11 @@ public final class PlaybackFunctions implements ScriptFunctions {
             call -> (state().position() - span().start()) / NANOS),
         ScriptFunction.of("playback()", "Tells how recordings are played.",
             "{position, length, time, playing, speed, loop, lagging, bookmarks, recordings}", call -> described()));
+  }
+
+  @Override
+  public Optional<ActionWatch> watch() {
+    return Optional.of(new PlaybackWatch(timeline::state, System::nanoTime));
   }
 
   private ScriptFunction deed(String signature, String help, Deed deed) {

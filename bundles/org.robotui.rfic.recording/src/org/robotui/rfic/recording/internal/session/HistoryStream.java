@@ -1,6 +1,8 @@
 package org.robotui.rfic.recording.internal.session;
 
 import org.robotui.api.replay.HistoryTaker;
+import org.robotui.message.data.Adapter;
+import org.robotui.message.data.FrameNames;
 import org.robotui.message.payload.ReceptionRule;
 import org.robotui.message.topic.Arrival;
 import org.robotui.message.topic.HistoryConversion;
@@ -16,6 +18,12 @@ import org.robotui.recording.RecordedMessage;
  * @param <M> the Java value of a message
  */
 record HistoryStream<M>(String port, ReceptionRule<M> rule, HistoryConversion<M> conversion) {
+  /** As an adapter reads a topic. */
+  static <M> HistoryStream<M> of(Adapter<M, ?> adapter, String topic, String port, FrameNames names) {
+    return new HistoryStream<>(port, new ReceptionRule<>(topic, adapter.type(), adapter.form()),
+        HistoryConversion.of(adapter, port, () -> names));
+  }
+
   /** Reads it once, for one taker. */
   Run<M> run(TopicTable table, String file, HistoryTaker taker) {
     return new Run<>(this, table, file, taker);

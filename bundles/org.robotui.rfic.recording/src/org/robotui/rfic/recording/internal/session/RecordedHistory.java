@@ -8,20 +8,31 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.LongSupplier;
+import org.robotui.api.port.Input;
+import org.robotui.api.port.SourceId;
 import org.robotui.api.replay.HistoryTaker;
-import org.robotui.api.replay.StreamHistory;
 import org.robotui.api.replay.TimeRange;
 import org.robotui.api.replay.Timeline;
+import org.robotui.data.ClockKind;
+import org.robotui.data.DataType;
+import org.robotui.message.data.Adapter;
+import org.robotui.message.data.Adapters;
+import org.robotui.message.data.FrameNames;
+import org.robotui.message.payload.PayloadFormats;
+import org.robotui.message.topic.TopicSettings;
 import org.robotui.recording.RecordedMessage;
 import org.robotui.recording.RecordingCursor;
 import org.robotui.recording.RecordingInterval;
 import org.robotui.recording.RecordingReader;
+import org.robotui.rfic.recording.internal.time.SearchableHistory;
+import org.robotui.rfic.recording.internal.time.SharedTimeline;
 
 /**
  * All of a recording by the ports of its robot interface. Read by the same receptions and conversions as it is played.
  */
-final class RecordedHistory implements StreamHistory {
+public final class RecordedHistory implements SearchableHistory {
   private static final int TOLD_EVERY = 4096;
 
   private final RecordingReader recording;
@@ -31,6 +42,7 @@ final class RecordedHistory implements StreamHistory {
   private final Timeline timeline;
   private final LongSupplier offset;
   private final Map<String, HistoryStream<?>> streams = new ConcurrentHashMap<>();
+  private final List<Input.Candidate> candidates = new CopyOnWriteArrayList<>();
 
   RecordedHistory(RecordingReader recording, TopicTable table, String file, TimeRange span, Timeline timeline,
       LongSupplier offset) {
@@ -40,6 +52,40 @@ final class RecordedHistory implements StreamHistory {
     this.span = span;
     this.timeline = timeline;
     this.offset = offset;
+  }
+
+  /**
+   * All of a recording that is not played.
+   *
+   * @param recording is read; to be closed by who opened it
+   * @param formats knows encodings
+   * @param instance how the robot interface that would play it is called
+   * @return reads it
+   */
+  public static RecordedHistory of(RecordingReader recording, PayloadFormats formats, String instance) {
+    TimeRange span = recording.span().map(each -> new TimeRange(each.start(), each.end())).orElse(new TimeRange(0, 0));
+    String name = recording.file().getFileName().toString();
+    RecordedHistory made = new RecordedHistory(recording, new TopicTable(recording, formats), name, span,
+        new SharedTimeline(), () -> 0);
+    made.addAll(new FrameNames(name, ClockKind.SIMULATED), instance, TopicSettings.ALL);
+    return made;
+  }
+
+  /** Adds all topics, also those that become no stream of their own while it is played. */
+  void addAll(FrameNames names, String instance, TopicSettings settings) {
+    Adapters adapters = new Adapters();
+    table.topics().stream().filter(settings::offers).forEach(topic -> table.first(topic).ifPresent(channel -> {
+      Adapter<?, ?> adapter = channel.format().definition().isPresent() ? adapters.of(channel.format().type())
+          : adapters.ofFields(channel.format().type());
+      String port = settings.portName(topic);
+      add(HistoryStream.of(adapter, topic, port, names));
+      candidates.add(new Input.Candidate(new SourceId(instance, port), DataType.of(adapter.data()).name()));
+    }));
+  }
+
+  @Override
+  public List<Input.Candidate> candidates() {
+    return List.copyOf(candidates);
   }
 
   void add(HistoryStream<?> stream) {

@@ -13,6 +13,8 @@ import org.robotui.api.replay.TimeRange;
 import org.robotui.api.session.LinkChanges;
 import org.robotui.api.session.RobotSession;
 import org.robotui.api.session.SessionScope;
+import org.robotui.data.ClockKind;
+import org.robotui.message.data.FrameNames;
 import org.robotui.message.payload.PayloadFormats;
 import org.robotui.message.payload.RosDefinitions;
 import org.robotui.message.topic.DescriptionTopics;
@@ -24,6 +26,7 @@ import org.robotui.recording.RecordingReader;
 import org.robotui.recording.ScanProgress;
 import org.robotui.rfic.recording.internal.RecordingSettings;
 import org.robotui.rfic.recording.internal.file.RecordingFiles;
+import org.robotui.rfic.recording.internal.time.SearchableHistory;
 import org.robotui.rfic.recording.internal.time.Seat;
 import org.robotui.rfic.recording.internal.time.SharedTimeline;
 import org.robotui.web.LinkTurns;
@@ -36,6 +39,7 @@ public final class RecordingSession implements RobotSession {
   private final LinkChanges link;
   private final String words;
   private final TrackPlayer player;
+  private final RecordedHistory history;
   private final RobotTopics topics;
   private final DescriptionTopics description;
   private final Offer browsing;
@@ -52,10 +56,12 @@ public final class RecordingSession implements RobotSession {
     this.words = RecordingWords.of(settings.file(), span, table.topics().size());
     LaneScan lanes = new LaneScan(table, recording, span);
     PlayedContext context = new PlayedContext(core);
-    this.player = new TrackPlayer(context, recording, span, lanes::lanes);
+    this.player = new TrackPlayer(context, recording, span, lanes::lanes, this::history);
     String name = settings.file().getFileName().toString();
+    this.history = new RecordedHistory(recording, table, name, span, timeline, player::offset);
     RecordedTopics channels = new RecordedTopics(table, definitions, name, player::now, player::look,
-        settings.topics(), new RecordedHistory(recording, table, name, span, timeline, player::offset));
+        settings.topics(), history);
+    history.addAll(new FrameNames(core.robot(), ClockKind.SIMULATED), core.instance(), settings.topics());
     this.topics = new RobotTopics(context, settings.topics(), channels, new SharedTransforms(table::isNamespace));
     this.description = new DescriptionTopics(context, settings.topics(),
         DescriptionTopics.packages(System.getenv()), channels);
@@ -65,6 +71,10 @@ public final class RecordingSession implements RobotSession {
     Thread scan = core.threads().newThread(() -> scan(lanes));
     scan.start();
     this.threads = List.of(player.start(channels::wanted, seat), scan);
+  }
+
+  private SearchableHistory history() {
+    return history;
   }
 
   private static String empty(RecordingReader recording) {

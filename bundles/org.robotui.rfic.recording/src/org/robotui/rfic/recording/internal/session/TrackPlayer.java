@@ -21,6 +21,7 @@ import org.robotui.recording.RecordingException;
 import org.robotui.recording.RecordingInterval;
 import org.robotui.recording.RecordingReader;
 import org.robotui.rfic.recording.internal.time.PlayedTrack;
+import org.robotui.rfic.recording.internal.time.SearchableHistory;
 import org.robotui.rfic.recording.internal.time.Seat;
 import org.robotui.rfic.recording.internal.time.Turn;
 import org.slf4j.Logger;
@@ -37,6 +38,7 @@ final class TrackPlayer implements PlayedTrack {
   private final RecordingReader recording;
   private final TimeRange span;
   private final Supplier<List<Lane>> lanes;
+  private final Supplier<SearchableHistory> history;
   private final PlayedContext context;
   private final ClockSource clock;
   private final PastMessages past;
@@ -57,14 +59,17 @@ final class TrackPlayer implements PlayedTrack {
    * @param recording is read
    * @param span of its messages
    * @param lanes what is known of its topics
+   * @param history reads all of it
    */
-  TrackPlayer(PlayedContext context, RecordingReader recording, TimeRange span, Supplier<List<Lane>> lanes) {
+  TrackPlayer(PlayedContext context, RecordingReader recording, TimeRange span, Supplier<List<Lane>> lanes,
+      Supplier<SearchableHistory> history) {
     this.id = new TrackId(context.robot(), context.instance());
     this.context = context;
     this.clock = context.core().clock();
     this.recording = recording;
     this.span = span;
     this.lanes = lanes;
+    this.history = history;
     this.past = new PastMessages(recording);
     this.now = span.start();
     this.delivered = span.start() - 1;
@@ -264,6 +269,11 @@ final class TrackPlayer implements PlayedTrack {
   @Override
   public TimeRange span() {
     return span;
+  }
+
+  @Override
+  public SearchableHistory history() {
+    return history.get();
   }
 
   @Override

@@ -56,6 +56,13 @@ public interface PlayedTrack {
   List<String> problems();
 
   /**
+   * All of it, for who reads it as a whole.
+   *
+   * @return always the same
+   */
+  SearchableHistory history();
+
+  /**
    * It was moved to a time: from now on nothing is delivered that was read for the time before. Does not wait for a
    * file.
    *

@@ -270,6 +270,32 @@ public final class SharedTimeline implements Timeline {
     }
   }
 
+  /**
+   * The recordings that are open.
+   *
+   * @return sorted by robot and instance
+   */
+  public List<PlayedTrack> open() {
+    lock.lock();
+    try {
+      return seats.all().stream().map(Seat::track).toList();
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /**
+   * A recording that is open.
+   *
+   * @param wanted which one
+   * @return where it is read
+   * @throws IllegalArgumentException where it is not open any more
+   */
+  public PlayedTrack open(TrackId wanted) {
+    return open().stream().filter(each -> each.id().equals(wanted)).findFirst().orElseThrow(
+        () -> new IllegalArgumentException("the recording of " + wanted.robot() + " is not open any more"));
+  }
+
   /** What a user does; nothing where no recording is open. */
   private void act(Runnable deed) {
     lock.lock();

@@ -1,14 +1,13 @@
 package org.robotui.rfic.recording.internal.tool;
 
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.regex.Pattern;
-import java.util.stream.Collectors;
+import org.robotui.condition.TimedCondition;
 import org.robotui.recording.ChunkCompression;
 import org.robotui.recording.RecordedChannel;
 import org.robotui.recording.RecordingInterval;
@@ -28,22 +27,32 @@ import org.robotui.rfic.recording.internal.export.ExportFormat;
  * @param topics patterns of the topics in it; none for all
  * @param types where types of LCM are declared
  * @param format of what is exported
+ * @param where the condition that is searched for; empty for none
  */
 record LogCommand(Verb verb, List<Path> from, Optional<Path> to, boolean json, ChunkCompression compression,
-    Optional<LogTime> begin, Optional<LogTime> end, List<Pattern> topics, List<Path> types, ExportFormat format) {
+    Optional<LogTime> begin, Optional<LogTime> end, List<Pattern> topics, List<Path> types, ExportFormat format,
+    String where) {
   private static final String KNOWN =
       "log knows info FILE, check FILE, repair FILE NEW, convert FILE NEW, cut FILE NEW, merge FILE... NEW"
-          + " and export FILE --out FOLDER";
+          + ", export FILE --out FOLDER, report FILE --out PAGE.html, find FILE... --where CONDITION, offset FILE FILE, compare FILE FILE --topic TOPIC and play FILE";
 
   enum Verb {
-    INFO, CHECK, REPAIR, CONVERT, CUT, MERGE, EXPORT;
+    INFO, CHECK, REPAIR, CONVERT, CUT, MERGE, EXPORT, REPORT, OFFSET, FIND;
 
     boolean writes() {
-      return this != INFO && this != CHECK && this != EXPORT;
+      return this == REPAIR || this == CONVERT || this == CUT || this == MERGE;
     }
 
     boolean takesParts() {
-      return this == CUT || this == MERGE || this == EXPORT;
+      return this == CUT || this == MERGE || this == EXPORT || this == REPORT || this == FIND;
+    }
+
+    boolean tellsPrograms() {
+      return this == INFO || this == CHECK || this == OFFSET || this == FIND;
+    }
+
+    boolean takesTopics() {
+      return takesParts() && this != FIND && this != REPORT;
     }
 
     String word() {
@@ -57,50 +66,55 @@ record LogCommand(Verb verb, List<Path> from, Optional<Path> to, boolean json, C
     }
     Verb verb = Arrays.stream(Verb.values()).filter(each -> each.word().equals(arguments.getFirst())).findFirst()
         .orElseThrow(() -> new UsageException(KNOWN));
-    List<String> words = new ArrayList<>(arguments.subList(1, arguments.size()));
-    boolean json = (verb == Verb.INFO || verb == Verb.CHECK) && words.remove("--json");
-    Optional<String> compression = verb.writes() ? option(words, "--compression") : Optional.empty();
-    Optional<String> begin = verb.takesParts() ? option(words, "--from") : Optional.empty();
-    Optional<String> end = verb.takesParts() ? option(words, "--to") : Optional.empty();
-    Optional<String> topics = verb.takesParts() ? option(words, "--topics") : Optional.empty();
-    Optional<String> types = option(words, "--types");
-    Optional<String> out = verb == Verb.EXPORT ? option(words, "--out") : Optional.empty();
-    Optional<String> format = verb == Verb.EXPORT ? option(words, "--format") : Optional.empty();
-    List<Path> files = files(verb, words);
+    LogOptions words = new LogOptions(verb.word(), arguments.subList(1, arguments.size()));
+    boolean json = verb.tellsPrograms() && words.flag("--json");
+    Optional<String> compression = verb.writes() ? words.value("--compression") : Optional.empty();
+    Optional<LogTime> begin = verb.takesParts() ? words.time("--from") : Optional.empty();
+    Optional<LogTime> end = verb.takesParts() ? words.time("--to") : Optional.empty();
+    List<Pattern> topics = verb.takesTopics() ? words.patterns("--topics") : List.of();
+    List<Path> types = words.paths("--types");
+    Optional<String> out = verb == Verb.EXPORT || verb == Verb.REPORT ? words.value("--out") : Optional.empty();
+    Optional<String> format = verb == Verb.EXPORT ? words.value("--format") : Optional.empty();
+    Optional<String> where = verb == Verb.FIND ? words.value("--where") : Optional.empty();
+    List<Path> files = files(verb, words.files());
     if (verb == Verb.EXPORT && out.isEmpty()) {
       throw new UsageException("log export needs --out and the folder where files are written");
     }
+    if (verb == Verb.REPORT && out.isEmpty()) {
+      throw new UsageException("log report needs --out and the page that is written, such as --out run.html");
+    }
+    if (verb == Verb.FIND && where.isEmpty()) {
+      throw new UsageException(
+          "log find needs --where and a condition, such as --where \"battery charge < 0.2 for 5 s\"");
+    }
+    check(where);
     int read = verb.writes() ? files.size() - 1 : files.size();
     return new LogCommand(verb, files.subList(0, read),
         out.map(Path::of).or(() -> files.stream().skip(read).findFirst()), json,
-        compression(compression), time("--from", begin), time("--to", end), patterns(topics),
-        paths(types), format(format));
+        compression(compression), begin, end, topics, types, format(format), where.orElse(""));
   }
 
-  private static List<Path> files(Verb verb, List<String> words) throws UsageException {
-    for (String word : words) {
-      if (word.startsWith("--")) {
-        throw new UsageException("log " + verb.word() + " has no option " + word);
-      }
+  private static void check(Optional<String> where) throws UsageException {
+    try {
+      where.ifPresent(text -> TimedCondition.parse(text, 0));
+    } catch (IllegalArgumentException e) {
+      throw new UsageException("--where: " + e.getMessage());
     }
+  }
+
+  private static List<Path> files(Verb verb, List<Path> files) throws UsageException {
     int needed = verb.writes() ? 2 : 1;
-    if (verb == Verb.MERGE ? words.size() < needed + 1 : words.size() != needed) {
+    if (verb == Verb.FIND && !files.isEmpty() || verb == Verb.OFFSET && files.size() == 2) {
+      return files;
+    }
+    if (verb == Verb.OFFSET) {
+      throw new UsageException("log offset takes two files: the one whose times stay, and the one that is moved");
+    }
+    if (verb == Verb.MERGE ? files.size() < needed + 1 : files.size() != needed) {
       throw new UsageException(verb == Verb.MERGE ? "log merge takes two files or more and the name of a new one"
           : "log " + verb.word() + " takes " + (verb.writes() ? "a file and the name of a new one" : "one file"));
     }
-    return words.stream().map(Path::of).toList();
-  }
-
-  private static Optional<String> option(List<String> words, String name) throws UsageException {
-    int at = words.indexOf(name);
-    if (at < 0) {
-      return Optional.empty();
-    }
-    if (at + 1 >= words.size()) {
-      throw new UsageException(name + " needs a value");
-    }
-    words.remove(at);
-    return Optional.of(words.remove(at));
+    return files;
   }
 
   private static ChunkCompression compression(Optional<String> word) throws UsageException {
@@ -112,37 +126,25 @@ record LogCommand(Verb verb, List<Path> from, Optional<Path> to, boolean json, C
         .orElseThrow(() -> new UsageException("--compression takes none, lz4 or zstd, not '" + word.get() + "'"));
   }
 
-  private static Optional<LogTime> time(String name, Optional<String> word) throws UsageException {
-    return word.isEmpty() ? Optional.empty() : Optional.of(LogTime.of(name, word.get()));
-  }
-
-  private static List<Path> paths(Optional<String> words) {
-    return words.stream().flatMap(each -> Arrays.stream(each.split(","))).filter(each -> !each.isBlank())
-        .map(Path::of).toList();
-  }
-
   private static ExportFormat format(Optional<String> word) throws UsageException {
     return word.isEmpty() ? ExportFormat.CSV
         : ExportFormat.of(word.get())
             .orElseThrow(() -> new UsageException("--format takes csv or jsonl, not '" + word.get() + "'"));
   }
 
-  private static List<Pattern> patterns(Optional<String> words) {
-    return words.stream().flatMap(each -> Arrays.stream(each.split(","))).filter(each -> !each.isBlank())
-        .map(each -> Pattern.compile(Arrays.stream(each.strip().split("\\*", -1)).map(Pattern::quote)
-            .collect(Collectors.joining(".*"))))
-        .toList();
-  }
-
   /** The part of recordings that have such a span. */
   RecordingPart part(RecordingInterval span) throws UsageException {
-    long start = begin.map(time -> time.in(span)).orElse(Long.MIN_VALUE);
-    long stop = end.map(time -> time.in(span)).orElse(Long.MAX_VALUE);
+    return part(new PlayCommand.Part(begin, end, topics), span);
+  }
+
+  static RecordingPart part(PlayCommand.Part wanted, RecordingInterval span) throws UsageException {
+    long start = wanted.begin().map(time -> time.in(span)).orElse(Long.MIN_VALUE);
+    long stop = wanted.end().map(time -> time.in(span)).orElse(Long.MAX_VALUE);
     if (stop < start) {
       throw new UsageException("--to lies before --from");
     }
-    Predicate<RecordedChannel> chosen =
-        channel -> topics.isEmpty() || topics.stream().anyMatch(each -> each.matcher(channel.topic()).matches());
+    Predicate<RecordedChannel> chosen = channel -> wanted.topics().isEmpty()
+        || wanted.topics().stream().anyMatch(each -> each.matcher(channel.topic()).matches());
     return new RecordingPart(new RecordingInterval(start, stop), chosen);
   }
 }

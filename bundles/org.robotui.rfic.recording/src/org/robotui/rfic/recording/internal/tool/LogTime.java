@@ -31,6 +31,16 @@ record LogTime(long nanos, boolean fromBeginning) {
     }
   }
 
+  /** A length of time, with milliseconds. */
+  static String seconds(long nanos) {
+    return BigDecimal.valueOf(nanos, DIGITS).setScale(3, RoundingMode.HALF_UP).toPlainString();
+  }
+
+  /** As it can be written again. */
+  static Instant instant(long nanos) {
+    return Instant.ofEpochSecond(Math.floorDiv(nanos, 1_000_000_000L), Math.floorMod(nanos, 1_000_000_000L));
+  }
+
   /** Where it lies in recordings that have such a span. */
   long in(RecordingInterval span) {
     return fromBeginning ? Math.addExact(span.start(), nanos) : nanos;

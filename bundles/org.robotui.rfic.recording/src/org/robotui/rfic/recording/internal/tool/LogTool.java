@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
+import org.robotui.api.replay.TimeRange;
 import org.robotui.message.payload.PayloadFormats;
 import org.robotui.message.payload.RosDefinitions;
 import org.robotui.recording.RecordedAttachment;
@@ -31,6 +32,9 @@ import org.robotui.rfic.recording.internal.file.RecordingFiles;
  * files of its messages for programs of others.
  */
 public final class LogTool {
+  /** What the robot interface of a recording is called where it is opened in a window. */
+  static final String INSTANCE = "recording";
+
   private static final int WHOLE = 0;
   private static final int DAMAGED = 1;
   private static final int REFUSED = 2;
@@ -44,9 +48,11 @@ public final class LogTool {
   }
 
   /**
-   * @param arguments {@code info|check [--json] FILE}, {@code repair|convert|cut FILE NEW}, {@code merge FILE... NEW}
-   * or {@code export FILE --out FOLDER}; those that write recordings with {@code --compression WORD}, the last three
-   * with {@code --from}, {@code --to}, {@code --topics}, the last with {@code --format csv|jsonl}, all with
+   * @param arguments {@code info|check [--json] FILE}, {@code repair|convert|cut FILE NEW}, {@code merge FILE... NEW},
+   * {@code export FILE --out FOLDER}, {@code report FILE --out PAGE}, {@code offset [--json]
+   * FILE FILE}, {@code find [--json] FILE... --where CONDITION} or what {@link CompareCommand} says; those that write
+   * recordings with {@code --compression WORD}, the last five with {@code --from} and {@code --to}, {@code cut},
+   * {@code merge} and {@code export} with {@code --topics}, {@code export} with {@code --format csv|jsonl}, all with
    * {@code --types}
    */
   public static void main(String[] arguments) {
@@ -56,8 +62,13 @@ public final class LogTool {
 
   /** 0 if all is well, 1 if something in the recording is damaged, 2 if nothing could be done. */
   int run(List<String> arguments) {
+    String verb = arguments.isEmpty() ? "" : arguments.getFirst();
     try {
-      return run(LogCommand.of(arguments));
+      return switch (verb) {
+        case CompareCommand.VERB -> compare(CompareCommand.of(arguments.subList(1, arguments.size())));
+        case PlayCommand.VERB -> play(PlayCommand.of(arguments.subList(1, arguments.size())));
+        default -> run(LogCommand.of(arguments));
+      };
     } catch (IOException | UsageException e) {
       err.println("robotui: " + e.getMessage());
       return REFUSED;
@@ -75,10 +86,21 @@ public final class LogTool {
         case CHECK -> check(recordings.getFirst(), command.json());
         case REPAIR, CONVERT, CUT, MERGE -> copy(recordings, command);
         case EXPORT -> export(recordings.getFirst(), command);
+        case REPORT -> new WrittenReport(command, out).write(recordings.getFirst()) ? WHOLE : DAMAGED;
+        case OFFSET -> new OffsetLine(command, out).print(recordings) ? WHOLE : DAMAGED;
+        case FIND -> new FoundLines(command, out, err).print(recordings) ? WHOLE : DAMAGED;
       };
     } finally {
       recordings.forEach(RecordingReader::close);
     }
+  }
+
+  private int compare(CompareCommand command) throws IOException, UsageException {
+    return new ComparedLines(command, out, err).print() ? WHOLE : DAMAGED;
+  }
+
+  private int play(PlayCommand command) throws IOException, UsageException {
+    return new SentLines(command, out, err).print(System.getenv()) ? WHOLE : DAMAGED;
   }
 
   private int info(RecordingReader recording, boolean json) {
@@ -143,13 +165,27 @@ public final class LogTool {
     TopicExport export = new TopicExport(recording, part(List.of(recording), command), command.to().orElseThrow(),
         command.format());
     List<ExportedFile> files =
-        export.run(new ChannelFormats(new PayloadFormats(new RosDefinitions(System.getenv()))));
+        export.run(new ChannelFormats(formats()));
     files.forEach(out::println);
     recording.damages().forEach(out::println);
     if (files.isEmpty()) {
       err.println("robotui: there is no message to export");
     }
     return files.stream().allMatch(ExportedFile::isWhole) && recording.damages().isEmpty() ? WHOLE : DAMAGED;
+  }
+
+  /** What is known of encodings, with the definitions that the environment names. */
+  static PayloadFormats formats() {
+    return new PayloadFormats(new RosDefinitions(System.getenv()));
+  }
+
+  /** The part of a recording that is looked at; none where it lies elsewhere. */
+  static Optional<TimeRange> range(LogCommand command, RecordingReader recording, TimeRange span)
+      throws UsageException {
+    RecordingInterval wanted = command.part(new RecordingInterval(span.start(), span.end())).interval();
+    long start = Math.max(wanted.start(), span.start());
+    long end = Math.min(wanted.end(), span.end());
+    return recording.span().isEmpty() || end < start ? Optional.empty() : Optional.of(new TimeRange(start, end));
   }
 
   private static RecordingInterval span(List<RecordingReader> recordings) {

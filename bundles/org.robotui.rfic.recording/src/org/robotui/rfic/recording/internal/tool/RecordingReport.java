@@ -1,6 +1,5 @@
 package org.robotui.rfic.recording.internal.tool;
 
-import java.time.Instant;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
@@ -23,8 +22,9 @@ final class RecordingReport {
     StringBuilder text = new StringBuilder();
     text.append(recording.file()).append(": ").append(recording.format())
         .append(recording.isIndexed() ? "" : ", without an index that can be used").append('\n');
-    recording.span().ifPresent(span -> text.append(time(span.start())).append(" to ").append(time(span.end()))
-        .append(String.format(Locale.ROOT, ", %.3f s%n", (span.end() - span.start()) * 1e-9)));
+    recording.span()
+        .ifPresent(span -> text.append(LogTime.instant(span.start())).append(" to ").append(LogTime.instant(span.end()))
+            .append(String.format(Locale.ROOT, ", %.3f s%n", (span.end() - span.start()) * 1e-9)));
     text.append(total(recording)).append(" messages\n");
     for (RecordedChannel channel : recording.channels()) {
       text.append(String.format(Locale.ROOT, "%12d  %s  %s  %s%n", count(recording, channel), channel.topic(),
@@ -83,10 +83,5 @@ final class RecordingReport {
 
   private static long count(RecordingReader recording, RecordedChannel channel) {
     return recording.messageCounts().getOrDefault(channel.id(), 0L);
-  }
-
-  private static Instant time(long nanoseconds) {
-    return Instant.ofEpochSecond(Math.floorDiv(nanoseconds, 1_000_000_000L),
-        Math.floorMod(nanoseconds, 1_000_000_000L));
   }
 }

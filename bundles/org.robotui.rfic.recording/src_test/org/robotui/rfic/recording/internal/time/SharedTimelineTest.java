@@ -37,6 +37,11 @@ class SharedTimelineTest {
 
   /** A recording that does not read anything itself. */
   private static final class Track implements PlayedTrack {
+    @Override
+    public SearchableHistory history() {
+      throw new UnsupportedOperationException("nobody searches");
+    }
+
     private final String name;
     private final TimeRange span;
     private final List<Long> moves = new CopyOnWriteArrayList<>();

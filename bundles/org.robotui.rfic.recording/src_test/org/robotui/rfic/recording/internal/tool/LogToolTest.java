@@ -114,6 +114,107 @@ class LogToolTest {
     assertEquals(List.of("/map 4000000000 901 2", "/scan 5000000000 903 4"), read(part));
   }
 
+  private Path battery(String name, double... charges) throws Exception {
+    Path run = folder.resolve(name);
+    try (RecordingWriter writer = RecordingWriter.create(run, WriterOptions.defaults())) {
+      RecordedChannel battery = writer.channel("/battery", "json", RecordedSchema.NONE, Map.of());
+      for (int i = 0; i < charges.length; i++) {
+        String message = Double.isNaN(charges[i]) ? "{" : "{\"charge\":" + charges[i] + "}";
+        byte[] bytes = message.getBytes(StandardCharsets.UTF_8);
+        writer.write(battery, (i + 1) * 1_000_000_000L, 0, i, ByteBuffer.wrap(bytes));
+      }
+    }
+    return run;
+  }
+
+  @Test
+  void finds_when_something_was_so() throws Exception {
+    Path one = battery("one.mcap", 0.9, 0.1, 0.15, 0.9, 0.1, 0.9);
+    Path two = battery("two.mcap", 0.9, 0.05);
+    assertEquals(0, run("find", one.toString(), two.toString(), "--where", "battery charge < 0.2"));
+    assertEquals(one + "  1970-01-01T00:00:02Z  1.000 s, for 2.000 s: battery.charge is 0.1\n"
+        + one + "  1970-01-01T00:00:05Z  4.000 s, for 1.000 s: battery.charge is 0.1\n"
+        + two + "  1970-01-01T00:00:02Z  1.000 s, for 0.000 s until the end: battery.charge is 0.05\n"
+        + "3 events were found\n", out.toString());
+  }
+
+  @Test
+  void tells_programs_what_it_found() throws Exception {
+    Path run = battery("one.mcap", 0.9, 0.1, 0.15, 0.9, 0.1, 0.9);
+    assertEquals(0, run("find", "--json", "--where", "battery charge < 0.2 for 1.5 s", run.toString()));
+    assertEquals("{\"file\":\"" + run + "\",\"start\":\"2000000000\",\"end\":\"4000000000\",\"over\":true,"
+        + "\"what\":\"battery.charge is 0.1\"}\n", out.toString());
+  }
+
+  @Test
+  void finds_in_a_part_only() throws Exception {
+    Path run = battery("one.mcap", 0.9, 0.1, 0.15, 0.9, 0.1, 0.9);
+    assertEquals(0, run("find", "--from", "3.5", "--where", "battery charge < 0.2", run.toString()));
+    assertTrue(out.toString().endsWith("1 event was found\n"), out.toString());
+  }
+
+  @ParameterizedTest
+  @CsvSource({"battery charge <, such as|write", "sonar range < 1, 'there is battery'",
+      "battery amps < 1, has no field 'amps'", "link lost, nothing of what the condition names was recorded"})
+  void a_search_for_nothing_is_refused(String where, String why) throws Exception {
+    Path run = battery("one.mcap", 0.9, 0.1);
+    assertEquals(2, run("find", "--where", where, run.toString()), out.toString());
+    assertTrue(Arrays.stream(why.split("\\|")).anyMatch(err.toString()::contains), err.toString());
+  }
+
+  @Test
+  void what_could_not_be_looked_at_is_told() throws Exception {
+    Path run = battery("one.mcap", 0.9, 0.1, Double.NaN, 0.9);
+    assertEquals(1, run("find", "--where", "battery charge < 0.2", run.toString()));
+    assertTrue(err.toString().contains("a message could not be read, the first: battery: "), err.toString());
+    assertTrue(out.toString().contains("1 event was found"), out.toString());
+  }
+
+  @Test
+  void writes_a_report_to_a_new_file_only() throws Exception {
+    Path run = battery("run.mcap", 0.9, 0.5, Double.NaN, 0.1);
+    Path page = folder.resolve("run.html");
+    assertEquals(0, run("report", run.toString(), "--out", page.toString()), err.toString());
+    String text = Files.readString(page);
+    assertTrue(text.contains("<h1>run.mcap</h1>") && text.contains("messages of battery could not be read: "), text);
+    assertEquals(2, run("report", run.toString(), "--out", page.toString()));
+    assertEquals("robotui: " + page + " is there already: name a file that is new\n", err.toString());
+    assertEquals(2, run("report", "--from", "60", run.toString(), "--out", folder.resolve("new").toString()));
+    assertEquals("robotui: " + run + " has no message in that time\n", err.toString());
+    assertEquals(2, run("report", run.toString(), "--out", folder.resolve("none/new.html").toString()));
+    assertTrue(err.toString().contains("could not be written"), err.toString());
+  }
+
+  private Path named(String name, long later) throws Exception {
+    Path run = folder.resolve(name);
+    try (RecordingWriter writer = RecordingWriter.create(run, WriterOptions.defaults())) {
+      RecordedChannel channel = writer.channel("/state", "json", RecordedSchema.NONE, Map.of());
+      for (int i = 0; i < 10; i++) {
+        byte[] bytes = ("{\"number\":" + i + ",\"what\":\"step\"}").getBytes(StandardCharsets.UTF_8);
+        writer.write(channel, (i + 1) * 1_000_000_000L + later, 0, i, ByteBuffer.wrap(bytes));
+      }
+    }
+    return run;
+  }
+
+  @Test
+  void tells_how_far_clocks_are_apart() throws Exception {
+    String one = named("one.mcap", 0).toString();
+    String other = named("other.mcap", 2_500_000_000L).toString();
+    assertEquals(0, run("offset", one, other), err.toString());
+    assertEquals("add -2.500 s to the times of " + other
+        + ", with a deviation of 0.000 s: 10 messages that both have\n", out.toString());
+    out.reset();
+    assertEquals(0, run("offset", "--json", one, other));
+    assertEquals("{\"offset\":\"-2500000000\",\"deviation\":\"0\",\"basis\":\"10 messages that both have\"}\n",
+        out.toString());
+    out.reset();
+    assertEquals(1, run("offset", one, battery("run.mcap", 0.5).toString()));
+    assertTrue(out.toString().startsWith("it cannot be told: "), out.toString());
+    assertEquals(2, run("offset", one));
+    assertTrue(err.toString().startsWith("robotui: log offset takes two files: "), err.toString());
+  }
+
   @Test
   void merges_recordings_by_their_times() throws Exception {
     Path other = folder.resolve("other.mcap");
@@ -153,7 +254,8 @@ class LogToolTest {
       "takes none, lz4 or zstd, not 'rar'|convert --compression rar a b",
       "--compression needs a value|convert a b --compression",
       "takes two files or more|merge a b", "not 'noon'|cut --from noon a b", "not '-1'|cut --to -1 a b",
-      "log repair has no option --from|repair --from 1 a b"})
+      "log repair has no option --from|repair --from 1 a b", "log report needs --out and the page|report a",
+      "log report has no option --topics|report a --out b --topics c"})
   void says_what_it_does_not_know(String sentence, String words) {
     assertEquals(2, run(words == null ? new String[0] : words.split(" ")));
     assertTrue(err.toString().startsWith("robotui: ") && err.toString().contains(sentence), err.toString());

@@ -28,6 +28,7 @@ import org.robotui.ros.SubscriberOptions;
 /** The topics of ROS 1, through a node. */
 final class RosTopicClient implements TopicClient {
   private static final String ENCODING = "ros1";
+  private static final int MOST_RELAYED = 100;
 
   private final RosNode node;
   private final RecordDecoder records;
@@ -76,6 +77,12 @@ final class RosTopicClient implements TopicClient {
   public TopicPublisher<DynamicMessage> messages(String topic, MessageSchema schema) {
     return new Published<>(
         node.publisher(topic, new DynamicCodec(schema), PublisherOptions.standard().withQueue(1)));
+  }
+
+  @Override
+  public TopicPublisher<DynamicMessage> relayed(String topic, MessageSchema schema, boolean kept) {
+    PublisherOptions options = kept ? PublisherOptions.latched() : PublisherOptions.standard();
+    return new Published<>(node.publisher(topic, new DynamicCodec(schema), options.withQueue(MOST_RELAYED)));
   }
 
   @Override

@@ -136,6 +136,12 @@ final class Ros2TopicClient implements TopicClient {
   }
 
   @Override
+  public TopicPublisher<DynamicMessage> relayed(String topic, MessageSchema schema, boolean kept) {
+    return new TopicOut<>(node.publisher(topic, Ros2Codec.of(name(schema.definition().type()), schema),
+        kept ? QosProfiles.LATCHED : QosProfiles.DEFAULT));
+  }
+
+  @Override
   public SchemaLookup<MessageSchema> schema(String type) {
     return lookups.known(name(type), Optional.empty());
   }

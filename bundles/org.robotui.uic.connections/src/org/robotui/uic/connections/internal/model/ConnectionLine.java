@@ -14,8 +14,12 @@ import org.robotui.ui.LinkLook;
 import org.robotui.ui.MatchLook;
 import org.robotui.ui.PortLook;
 
-/** One line of the list: a RUIC, a component of it, or a port of that. Its words are made when they are asked for. */
-public sealed interface ConnectionLine {
+/**
+ * One line of the list: a RUIC, a component of it, or a port or a bridge of that. Its words are made when they are
+ * asked for.
+ */
+public sealed interface ConnectionLine permits ConnectionLine.Robot, ConnectionLine.Part, ConnectionLine.RobotPort,
+    ConnectionLine.ViewPort, BridgeLine {
   /** The word of a view that has not failed. */
   String VIEW = "view";
 

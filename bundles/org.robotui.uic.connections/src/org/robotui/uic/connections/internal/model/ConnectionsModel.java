@@ -3,6 +3,7 @@ package org.robotui.uic.connections.internal.model;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import org.robotui.api.bridge.BridgeStatus;
 import org.robotui.api.host.RuicSnapshot;
 
 /** What is shown and what is wanted to be shown. The tick brings news, the display thread wishes; safe for both. */
@@ -28,9 +29,9 @@ public final class ConnectionsModel {
     }
   }
 
-  /** Takes what all RUICs say. True where that is something new to show. */
-  public synchronized boolean tick(List<RuicSnapshot> ruics, long now) {
-    ConnectionsLook next = survey.look(ruics, now);
+  /** Takes what all RUICs and bridges say. True where that is something new to show. */
+  public synchronized boolean tick(List<RuicSnapshot> ruics, List<BridgeStatus> bridges, long now) {
+    ConnectionsLook next = survey.look(ruics, bridges, now);
     boolean changed = !next.equals(look);
     look = next;
     if (changed) {

@@ -155,7 +155,7 @@ class ConnectionsLookTest {
     long best = Long.MAX_VALUE;
     for (int i = 0; i < 10; i++) {
       long start = System.nanoTime();
-      ConnectionsLook look = survey.look(many, i * SECOND);
+      ConnectionsLook look = survey.look(many, List.of(), i * SECOND);
       assertEquals(50 * (1 + 1 + 50 + 10 + 50), look.lines(Filter.ALL, Set.of()).size());
       assertEquals(50 * (1 + 1 + 1 + 1 + 1), look.lines(Filter.of(false, "", "topic_17"), Set.of()).size());
       assertFalse(look.lines(Filter.ALL, Set.of()).isEmpty());
@@ -165,11 +165,12 @@ class ConnectionsLookTest {
   }
 
   private ConnectionLine part(long seconds, LinkState link) {
-    return survey.look(List.of(Robots.plain("Keira", link)), seconds * SECOND).branches().getFirst().parts().getFirst();
+    return survey.look(List.of(Robots.plain("Keira", link)), List.of(), seconds * SECOND).branches().getFirst().parts()
+        .getFirst();
   }
 
   private ConnectionsLook look(RuicSnapshot... robots) {
-    return survey.look(List.of(robots), 0);
+    return survey.look(List.of(robots), List.of(), 0);
   }
 
   private static void assertLine(ConnectionsLook look, String name, Health health, String word, String text) {

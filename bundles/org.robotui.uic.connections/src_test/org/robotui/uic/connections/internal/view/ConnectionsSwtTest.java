@@ -138,7 +138,7 @@ class ConnectionsSwtTest {
         IntStream.range(0, 50).mapToObj(i -> Robots.large("robot" + i, 50)).toArray(RuicSnapshot[]::new);
     long best = Long.MAX_VALUE;
     for (int i = 0; i < 5; i++) {
-      model.tick(List.of(many), i);
+      model.tick(List.of(many), List.of(), i);
       long start = System.nanoTime();
       surface.show(model.shown());
       surface.control().update();
@@ -149,7 +149,7 @@ class ConnectionsSwtTest {
   }
 
   private void tick(RuicSnapshot... robots) {
-    model.tick(List.of(robots), 0);
+    model.tick(List.of(robots), List.of(), 0);
     surface.show(model.shown());
   }
 

@@ -14,6 +14,8 @@ public record ConsoleLine(Kind kind, String text) {
   public enum Kind {
     /** What the user typed. */
     INPUT,
+    /** What the user did elsewhere, as a line of a script. */
+    RECORDED,
     /** What a script printed. */
     OUTPUT,
     /** What it came to. */

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
+import org.robotui.api.script.ScriptLine;
 import org.robotui.api.script.ScriptOutcome;
 import org.robotui.api.script.ScriptSession;
 import org.robotui.api.script.ScriptSource;
@@ -22,6 +23,7 @@ public final class Runs implements AutoCloseable {
   private final Transcript transcript;
   private final List<String> done = new ArrayList<>();
   private Optional<ScriptSession> session = Optional.empty();
+  private Optional<Scripts.ActionRecording> recording = Optional.empty();
   private int running;
   private boolean closed;
 
@@ -73,7 +75,7 @@ public final class Runs implements AutoCloseable {
     if (session.isEmpty() && !closed) {
       ScriptSession made = scripts.open("the console of " + ruic, text -> transcript.add(Kind.OUTPUT, text));
       session = Optional.of(made);
-      made.run(new ScriptSource(NAME, "use(" + quoted(ruic) + ")")).thenAccept(outcome -> {
+      made.run(new ScriptSource(NAME, ScriptLine.call("use", ruic))).thenAccept(outcome -> {
         if (outcome instanceof ScriptOutcome.Failed failed) {
           transcript.add(Kind.ERROR, failed.toString());
         }
@@ -82,16 +84,44 @@ public final class Runs implements AutoCloseable {
     return session;
   }
 
-  private static String quoted(String text) {
-    return text.chars().mapToObj(c -> c < ' ' || c > '~' || c == '"' || c == '\\'
-        ? "\\u%04x".formatted(c)
-        : Character.toString(c)).collect(Collectors.joining("", "\"", "\""));
-  }
-
   /** What could stand at the end of a line. */
   public synchronized ScriptSession.Completion complete(String line) {
     return session().map(open -> open.complete(line))
         .orElseGet(() -> new ScriptSession.Completion(line.length(), List.of()));
+  }
+
+  /** Begins to write down what the user does, or ends it. May wait for a moment. */
+  public void record() {
+    Optional<Scripts.ActionRecording> ended = takeRecording();
+    if (ended.isPresent()) {
+      ended.get().close();
+      transcript.add(Kind.NOTE, "recorded; Save writes it, with what was typed");
+    } else {
+      begin();
+    }
+  }
+
+  private synchronized Optional<Scripts.ActionRecording> takeRecording() {
+    Optional<Scripts.ActionRecording> taken = recording;
+    recording = Optional.empty();
+    return taken;
+  }
+
+  private synchronized void begin() {
+    if (!closed && recording.isEmpty()) {
+      transcript.add(Kind.NOTE, "what you do is written down: views, perspectives, control, stops, the timeline");
+      recording = Optional.of(scripts.record(this::recorded));
+    }
+  }
+
+  private synchronized void recorded(String line) {
+    transcript.add(Kind.RECORDED, line);
+    done.add(line);
+  }
+
+  /** Whether what the user does is written down. */
+  public synchronized boolean isRecording() {
+    return recording.isPresent();
   }
 
   /** Stops what runs. */
@@ -104,13 +134,18 @@ public final class Runs implements AutoCloseable {
     return running > 0;
   }
 
-  /** What was typed and came to its end, as a script; empty where nothing did. */
+  /** What was typed and came to its end, and what the user was seen to do, as a script; empty where nothing was. */
   public synchronized String script() {
     return done.stream().map(text -> text + "\n").collect(Collectors.joining());
   }
 
   @Override
-  public synchronized void close() {
+  public void close() {
+    takeRecording().ifPresent(Scripts.ActionRecording::close);
+    end();
+  }
+
+  private synchronized void end() {
     closed = true;
     session.ifPresent(ScriptSession::close);
     session = Optional.empty();

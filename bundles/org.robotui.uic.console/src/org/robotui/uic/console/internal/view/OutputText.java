@@ -70,7 +70,7 @@ final class OutputText {
 
   private static Role role(ConsoleLine.Kind kind) {
     return switch (kind) {
-      case INPUT -> Role.ACCENT;
+      case INPUT, RECORDED -> Role.ACCENT;
       case OUTPUT, VALUE -> Role.TEXT;
       case ERROR -> Role.BAD;
       case NOTE -> Role.DIM;

@@ -20,6 +20,7 @@ import org.robotui.ui.ViewSurface;
 import org.robotui.ui.control.Clipboards;
 import org.robotui.ui.display.ListedView;
 import org.robotui.ui.layer.LayerListHost;
+import org.robotui.ui.scene.KeptViewport;
 import org.robotui.ui.scene.Camera;
 import org.robotui.ui.scene.Painter;
 import org.robotui.ui.scene.SceneControl;
@@ -52,14 +53,16 @@ public final class GpsCanvas implements ViewSurface {
     theme = context.theme();
     states = new StateView(theme);
     overlay = new GpsOverlay(theme);
+    KeptViewport kept = choices.camera(context, parent.getDisplay());
     SceneControl[] made = new SceneControl[1];
     view = new ListedView(parent, theme, new LayerListHost(model.layers(), model.scene(), this::refresh, this::mover),
         this::listOpen, box -> {
-          made[0] = new SceneControl(box, context, model.scene(), new Camera(LARGEST_FIT, MARGIN),
+          made[0] = new SceneControl(box, context, model.scene(), new Camera(LARGEST_FIT, MARGIN, kept),
               SceneMover.Following.of(this::following, choices::follow), new Shown());
           return made[0].surface();
         });
     scene = made[0];
+    scene.surface().atEnd(kept::write);
     new GpsInput(this, scene.surface()).listen();
   }
 

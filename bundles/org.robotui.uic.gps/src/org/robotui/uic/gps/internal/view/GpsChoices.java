@@ -4,6 +4,9 @@ import java.util.Optional;
 import org.robotui.api.config.SettingsStore;
 import org.robotui.api.port.SourceId;
 import org.robotui.entity.gps.GeoPoint;
+import org.eclipse.swt.widgets.Display;
+import org.robotui.ui.UiContext;
+import org.robotui.ui.scene.KeptViewport;
 import org.robotui.uic.gps.internal.GpsOptions;
 
 /** What the user has chosen, kept in the settings. Safe for all threads. */
@@ -42,5 +45,9 @@ public final class GpsChoices {
 
   void list(boolean open) {
     settings.set(GpsOptions.LIST, open);
+  }
+
+  KeptViewport camera(UiContext context, Display display) {
+    return KeptViewport.in(settings, context, display);
   }
 }

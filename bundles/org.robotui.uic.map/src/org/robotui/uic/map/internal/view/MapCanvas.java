@@ -29,6 +29,7 @@ import org.robotui.ui.display.ListedView;
 import org.robotui.ui.layer.LayerListHost;
 import org.robotui.ui.layer.LayerNote;
 import org.robotui.ui.layer.SeenRobot;
+import org.robotui.ui.scene.KeptViewport;
 import org.robotui.ui.scene.Camera;
 import org.robotui.ui.scene.CommandNotice;
 import org.robotui.ui.scene.Commander;
@@ -75,14 +76,16 @@ public final class MapCanvas implements ViewSurface {
     legend = new Legend(theme, model.team());
     team = new TeamHands(this, model.team(), goals);
     marks = new TeamMarks(model.team());
+    KeptViewport kept = choices.camera(context, parent.getDisplay());
     SceneControl[] made = new SceneControl[1];
     view = new ListedView(parent, theme, new LayerListHost(model.layers(), model.scene(), this::refresh, this::mover),
         () -> choices.options().list(), box -> {
-          made[0] = new SceneControl(box, context, model.scene(), new Camera(LARGEST_FIT, MARGIN),
+          made[0] = new SceneControl(box, context, model.scene(), new Camera(LARGEST_FIT, MARGIN, kept),
               SceneMover.Following.of(this::following, choices::follow), new Shown());
           return made[0].surface();
         });
     scene = made[0];
+    scene.surface().atEnd(kept::write);
     new MapInput(this, scene.surface()).listen();
   }
 

@@ -2,6 +2,9 @@ package org.robotui.uic.map.internal.view;
 
 import org.robotui.api.config.Settings;
 import org.robotui.api.config.SettingsStore;
+import org.eclipse.swt.widgets.Display;
+import org.robotui.ui.UiContext;
+import org.robotui.ui.scene.KeptViewport;
 import org.robotui.uic.map.internal.MapOptions;
 
 /** What the user has chosen, kept in the settings. Safe for all threads. */
@@ -41,5 +44,9 @@ public final class MapChoices {
 
   void fixedFrame(String name) {
     settings.set(MapOptions.FIXED_FRAME, name);
+  }
+
+  KeptViewport camera(UiContext context, Display display) {
+    return KeptViewport.in(settings, context, display);
   }
 }

@@ -105,6 +105,19 @@ class MapModelTest {
   }
 
   @Test
+  void aPathThatHasNotComeYetIsNoTroubleAndAScanIsNamedOnce() {
+    DemoRoom.fill(context, now);
+    MapModel model = new MapModel(context, () -> LayerKinds.ALL);
+    SourceId planned = new SourceId("sam", "plan");
+    SourceId scan = new SourceId("sam", "scan");
+    context.input(MapPorts.PATH).state(planned, new InputState.Waiting("sam.plan: no data yet"));
+    context.input(MapPorts.SCAN).state(scan, new InputState.Waiting("sam.scan: no data yet"));
+    tick(model);
+    assertEquals(List.of("scan: sam.scan: no data yet"),
+        model.snapshot().notes().stream().map(LayerNote::text).toList());
+  }
+
+  @Test
   void twoRobotsWithEqualPortsAreToldApart() {
     MapModel model = model();
     frames.fix(DemoRoom.ODOM, DemoRoom.BASE, RigidTransform.IDENTITY);

@@ -100,6 +100,11 @@ public final class ParametersModel {
     return look;
   }
 
+  /** All parameters that are known, robot after robot. */
+  public List<Key> parameters() {
+    return directory.trees().stream().flatMap(tree -> tree.parameters().stream()).toList();
+  }
+
   /** Takes control where that has to be asked. */
   public ControlFirst control() {
     return control;

@@ -17,6 +17,7 @@ import org.robotui.ui.control.Boxes;
 import org.robotui.ui.control.FilterField;
 import org.robotui.ui.control.NoticeLine;
 import org.robotui.ui.control.QuietButton;
+import org.robotui.uic.parameters.internal.model.Key;
 import org.robotui.uic.parameters.internal.model.Panel;
 import org.robotui.uic.parameters.internal.model.ParametersModel;
 import org.robotui.uic.parameters.internal.model.ParametersViewState;
@@ -113,6 +114,13 @@ public final class ParametersSurface implements ViewSurface {
       filter.words("");
     }
     model.tuning(tunes);
+  }
+
+  /** Shows nothing but one parameter, and those whose names begin with its name. */
+  public void find(Key parameter) {
+    leaf(false);
+    filter.words(parameter.name());
+    down();
   }
 
   private void filter(String words) {

@@ -23,7 +23,7 @@ import org.robotui.data.joint.JointState;
 import org.robotui.testkit.FakeClock;
 import org.robotui.testkit.FakeInput;
 import org.robotui.testkit.FakeSettings;
-import org.robotui.uic.plot.internal.KeptTimeline;
+import org.robotui.testkit.KeptTimeline;
 import org.robotui.uic.plot.internal.trace.Sketch;
 import org.robotui.uic.plot.internal.trace.TimeSpan;
 

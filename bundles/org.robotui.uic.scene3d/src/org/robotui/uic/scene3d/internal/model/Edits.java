@@ -46,11 +46,25 @@ public final class Edits extends DisplayList {
   /** Keeps a view under a name. */
   public void keep(String name, CameraPose pose) {
     Map<String, Object> views = new LinkedHashMap<>(written());
-    views.put(name,
-        Map.of(SceneOptions.KIND, pose.kind().word(), "x", pose.focus().x(), "y", pose.focus().y(), "z",
-            pose.focus().z(),
-            "distance", pose.distance(), "yaw", pose.yaw(), "pitch", pose.pitch()));
+    views.put(name, written(pose));
     settings.set(SceneOptions.VIEWS, views);
+  }
+
+  /** Keeps where the user left the camera. */
+  public void left(CameraPose pose) {
+    settings.set(SceneOptions.CAMERA, written(pose));
+  }
+
+  /** Where the user left the camera; none where a view is named start, which holds then. */
+  public Optional<CameraPose> left() {
+    return start().isPresent() ? Optional.empty()
+        : Optional.ofNullable(settings.current().values().get(SceneOptions.CAMERA))
+            .map(written -> pose(Written.fields(written)));
+  }
+
+  private static Map<String, Object> written(CameraPose pose) {
+    return Map.of(SceneOptions.KIND, pose.kind().word(), "x", pose.focus().x(), "y", pose.focus().y(), "z",
+        pose.focus().z(), "distance", pose.distance(), "yaw", pose.yaw(), "pitch", pose.pitch());
   }
 
   /** Forgets a view. */

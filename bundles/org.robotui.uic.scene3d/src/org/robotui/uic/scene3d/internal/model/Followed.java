@@ -13,12 +13,18 @@ import org.robotui.uic.scene3d.internal.camera.CameraMotion;
 public final class Followed {
   private final Frames frames;
   private final CameraMotion rig;
+  private boolean away;
   private String last = "";
 
-  /** Follows nothing. */
-  public Followed(Frames frames, CameraMotion rig) {
+  /**
+   * Follows nothing.
+   *
+   * @param away whether the camera is where it was left at an earlier run, from where what is followed may have moved
+   */
+  public Followed(Frames frames, CameraMotion rig, boolean away) {
     this.frames = frames;
     this.rig = rig;
+    this.away = away;
   }
 
   /** Keeps up; with another frame it begins where the camera is. */
@@ -30,7 +36,12 @@ public final class Followed {
       rig.follow(Optional.empty(), false);
     }
     if (!wanted.isEmpty()) {
-      rig.follow(place(wanted, settings, fixed), settings.flag(SceneOptions.FOLLOW_YAW));
+      Optional<RigidTransform> place = place(wanted, settings, fixed);
+      place.filter(p -> away).ifPresent(p -> rig.move(pose -> pose.at(p.translation())));
+      away &= place.isEmpty();
+      rig.follow(place, settings.flag(SceneOptions.FOLLOW_YAW));
+    } else {
+      away = false;
     }
   }
 

@@ -16,6 +16,7 @@ import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.robotui.api.UicContext;
+import org.robotui.api.command.Authority;
 import org.robotui.api.config.Settings;
 import org.robotui.api.config.SettingsStore;
 import org.robotui.api.frame.Frames;
@@ -52,7 +53,7 @@ public final class SceneModel {
   private final Waypoints waypoints;
   private final Queue<Runnable> tasks = new ConcurrentLinkedQueue<>();
   private final Map<String, DisplaySlot> slots = new LinkedHashMap<>();
-  private final RobotColors colors = new RobotColors();
+  private final RobotColors colors;
   private final Set<FrameId> named = new LinkedHashSet<>();
   private Set<SourceId> chosen = Set.of();
   private long epoch;
@@ -67,6 +68,7 @@ public final class SceneModel {
     settings = context.settings();
     clock = context.clock();
     epoch = clock.epoch();
+    colors = new RobotColors(context.ruic().authorities().stream().map(Authority::robot).distinct().toList());
     this.kinds = kinds;
     this.context = displays;
     this.waypoints = waypoints;

@@ -26,6 +26,8 @@ import org.robotui.uic.scene3d.internal.model.Kinds;
 
 /** The control of a scene: the list of displays, and the picture. Display thread, where nothing else is said. */
 public final class SceneSurface implements ViewSurface {
+  private static final int REST_MILLIS = 500;
+
   private final UiContext context;
   private final SceneParts parts;
   private final ListedView view;
@@ -33,8 +35,10 @@ public final class SceneSurface implements ViewSurface {
   private final Tools tools;
   private final SceneMenus menus;
   private final Display display;
+  private final Runnable keepCamera = this::keepCamera;
   private volatile boolean seen = true;
   private volatile boolean touched;
+  private boolean moved;
   private String note = "";
 
   /** Makes it. */
@@ -51,7 +55,7 @@ public final class SceneSurface implements ViewSurface {
     });
     canvas = made[0];
     new SceneInput(this, parts).listen();
-    view.control().addListener(SWT.Dispose, e -> seen = false);
+    view.control().addListener(SWT.Dispose, e -> end());
     parts.studio().again();
   }
 
@@ -121,6 +125,20 @@ public final class SceneSurface implements ViewSurface {
 
   void touch() {
     touched = true;
+    moved = true;
+    display.timerExec(REST_MILLIS, keepCamera);
+  }
+
+  private void keepCamera() {
+    if (moved && parts.edits().start().isEmpty()) {
+      parts.edits().left(parts.rig().aim());
+    }
+    moved = false;
+  }
+
+  private void end() {
+    seen = false;
+    keepCamera();
   }
 
   SceneCanvas surface() {

@@ -30,6 +30,7 @@ import org.robotui.gl.display.DisplayType;
 import org.robotui.gl.render.RenderRequest;
 import org.robotui.gl.shape.Part;
 import org.robotui.testkit.Displays;
+import org.robotui.testkit.FakeAuthority;
 import org.robotui.testkit.FakeFrames;
 import org.robotui.testkit.FakeInput;
 import org.robotui.testkit.FakeUicContext;
@@ -64,6 +65,10 @@ class TwoRobotsPictureTest {
 
   private SceneModel made() {
     context.frames(frames);
+    Map<String, FakeAuthority> team = new LinkedHashMap<>();
+    team.put("ros", new FakeAuthority("Natalie"));
+    team.put("player", new FakeAuthority("Keira"));
+    context.ruic().team(team);
     DisplayContext displays = new DisplayContext() {
       @Override
       public Executor background() {

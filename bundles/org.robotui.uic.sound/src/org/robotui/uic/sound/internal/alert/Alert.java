@@ -1,6 +1,8 @@
 package org.robotui.uic.sound.internal.alert;
 
 import java.util.Optional;
+import org.robotui.condition.Signals;
+import org.robotui.condition.Verdict;
 
 /** An alert that watches its condition. One thread. */
 public final class Alert {

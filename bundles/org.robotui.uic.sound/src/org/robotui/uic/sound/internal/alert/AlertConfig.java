@@ -1,5 +1,8 @@
 package org.robotui.uic.sound.internal.alert;
 
+import java.nio.file.Path;
+import java.util.Optional;
+import org.robotui.condition.Condition;
 import org.robotui.uic.sound.internal.tone.Sound;
 
 /**
@@ -14,8 +17,9 @@ import org.robotui.uic.sound.internal.tone.Sound;
  * @param forNanos how long the condition must hold before
  * @param repeatNanos how often the sound is heard while it holds; 0 for once
  * @param muted whether it is only written to the log
+ * @param script what is run when it begins
  */
 public record AlertConfig(
     String name, String when, Condition condition, Sound sound, double volume, String words, long forNanos,
     long repeatNanos,
-    boolean muted) {}
+    boolean muted, Optional<Path> script) {}

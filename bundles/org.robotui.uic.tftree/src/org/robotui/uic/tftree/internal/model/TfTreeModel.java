@@ -81,6 +81,11 @@ public final class TfTreeModel {
     return look;
   }
 
+  /** All frames that are known now. */
+  public List<FrameId> frames() {
+    return frames.all();
+  }
+
   /** What is asked for now. */
   public Ask ask() {
     return ask;

@@ -32,6 +32,7 @@ public final class TopicsModel {
   private final Presence presence;
   private final Speaker speaker;
   private final RowMaker maker;
+  private final RecordedTopic recorded;
   private final Listed listed = new Listed();
   private final Due frame = new Due(FRAME_NANOS);
   private final Due heartbeat = new Due(HEARTBEAT_NANOS);
@@ -53,7 +54,8 @@ public final class TopicsModel {
     presence = new Presence(context, TopicsPorts.GRAPH, "what it has");
     speaker = new Speaker(context.output(TopicsPorts.PUBLISH), context.principal());
     maker = new RowMaker(poller::known);
-    look = look(presence.state(Set.of(), Map.of()), TopicsViewState.Echo.NOTHING);
+    recorded = new RecordedTopic(context.input(TopicsPorts.ALL), context.background());
+    look = look(presence.state(Set.of(), Map.of()), TopicsViewState.Echo.NOTHING, MessageListing.NOTHING);
   }
 
   /** Takes what came and prepares what is seen; whether there is something new to show. */
@@ -80,7 +82,8 @@ public final class TopicsModel {
       measures = watched.measures(catalog, wanted, now);
     }
     listed.follow(catalog, wanted);
-    TopicsViewState next = look(presence.state(catalog.known(), catalog.failures()), echo(catalog, wanted));
+    TopicsViewState next = look(presence.state(catalog.known(), catalog.failures()), echo(catalog, wanted),
+        messages(catalog, visible ? wanted : wanted.quiet()));
     boolean beat = heartbeat.passed(now);
     boolean changed = beat || heard || next.speech().hertz().isPresent() || !same(next, look);
     if (beat) {
@@ -116,7 +119,7 @@ public final class TopicsModel {
   public void gone() {
     seen = false;
     speaker.stop("the view was closed");
-    wishes(w -> w.echo(Optional.empty()));
+    wishes(w -> w.echo(Optional.empty()).list(Optional.empty()));
   }
 
   /** How rows are sorted from the next tick on. */
@@ -168,6 +171,11 @@ public final class TopicsModel {
   /** Shows the messages of a topic in place of those of another. */
   public void echo(Optional<Key> key) {
     wishes(w -> w.echo(key));
+  }
+
+  /** Lists all messages of a topic of a recording in place of those of another. */
+  public void listMessages(Optional<Key> key) {
+    wishes(w -> w.list(key));
   }
 
   /** Holds the echo, or lets it go on. */
@@ -225,12 +233,18 @@ public final class TopicsModel {
         watched.history().missed(), wanted.echoed().map(measures::get).orElse(Measure.NOTHING));
   }
 
-  private TopicsViewState look(InputState state, TopicsViewState.Echo echo) {
+  private MessageListing messages(Catalog catalog, Wishes wanted) {
+    Optional<Key> key = wanted.listed();
+    String obstacle = key.map(k -> Obstacles.echo(k, catalog.find(k), poller.described())).orElse("");
+    return recorded.follow(key.flatMap(catalog::find).flatMap(Entry::stream), obstacle);
+  }
+
+  private TopicsViewState look(InputState state, TopicsViewState.Echo echo, MessageListing messages) {
     Catalog catalog = poller.catalog();
     String notice = refusal.isEmpty() ? Presence.notice(state, catalog.failures()) : refusal;
     return new TopicsViewState(listed.wishes, state, listed.rows, listed.counts,
         catalog.of(listed.wishes.section()).size(), notice,
-        poller.described(), echo, speaker.look(), watched.streams());
+        poller.described(), echo, speaker.look(), watched.streams(), messages);
   }
 
   /** Rows and records are compared by identity: they are made anew only where something changed. */
@@ -241,7 +255,7 @@ public final class TopicsModel {
         && one.echo().state().getClass() == other.echo().state().getClass()
         && one.echo().obstacle().equals(other.echo().obstacle())
         && one.echo().shown().equals(other.echo().shown()) && one.speech().equals(other.speech())
-        && one.streams() == other.streams();
+        && one.streams() == other.streams() && one.messages() == other.messages();
   }
 
   /** The rows, made again only where something that they show changed. The tick's thread. */

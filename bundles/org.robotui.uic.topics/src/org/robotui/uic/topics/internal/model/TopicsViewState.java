@@ -22,6 +22,7 @@ import org.robotui.ui.ask.Measure;
  * @param echo the messages of the echoed topic
  * @param speech how saying messages is going
  * @param streams how many streams are asked for
+ * @param messages those of a recording
  */
 public record TopicsViewState(
     Wishes wishes,
@@ -33,7 +34,8 @@ public record TopicsViewState(
     Optional<Described> described,
     Echo echo,
     Speech speech,
-    int streams) {
+    int streams,
+    MessageListing messages) {
   /**
    * The messages of the echoed topic.
    *

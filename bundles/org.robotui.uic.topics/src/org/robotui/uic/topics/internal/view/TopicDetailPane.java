@@ -24,12 +24,12 @@ import org.robotui.uic.topics.internal.model.TopicsModel;
 import org.robotui.uic.topics.internal.model.TopicsViewState;
 
 /**
- * All about the selected thing, on three leaves. What is echoed follows the selection once it rests. Display thread.
+ * All about the selected thing, on its leaves. What is echoed follows the selection once it rests. Display thread.
  */
 final class TopicDetailPane {
   /** The leaves. */
   enum Leaf {
-    ABOUT("About"), ECHO("Echo"), PUBLISH("Publish");
+    ABOUT("About"), ECHO("Echo"), MESSAGES("Messages"), PUBLISH("Publish");
 
     private final String label;
 
@@ -52,6 +52,7 @@ final class TopicDetailPane {
   private final MessagePane nothing;
   private final AboutPane about;
   private final EchoPane echo;
+  private final MessagesPane messages;
   private final PublishPane publish;
   private final Runnable rested = this::listen;
   private Optional<Key> selected = Optional.empty();
@@ -62,7 +63,7 @@ final class TopicDetailPane {
     this.model = model;
     this.display = parent.getDisplay();
     root = Boxes.panel(parent, theme, 1);
-    bar = Boxes.bar(root, theme, 4);
+    bar = Boxes.bar(root, theme, 1 + Leaf.values().length);
     heading = new Heading(bar, theme);
     GridData wide = new GridData(SWT.FILL, SWT.CENTER, true, false);
     wide.heightHint = Heading.HEIGHT;
@@ -82,6 +83,7 @@ final class TopicDetailPane {
         "Select a line to see who uses it, what it carries and what it is made of.");
     about = new AboutPane(stack, theme, follow);
     echo = new EchoPane(stack, theme, model, ruic, subjects);
+    messages = new MessagesPane(stack, theme);
     publish = new PublishPane(stack, theme, model);
     leaves.topControl = nothing.control();
     root.addListener(SWT.Dispose, e -> display.timerExec(-1, rested));
@@ -95,6 +97,10 @@ final class TopicDetailPane {
     return about;
   }
 
+  MessagesPane messages() {
+    return messages;
+  }
+
   PublishPane publish() {
     return publish;
   }
@@ -104,6 +110,7 @@ final class TopicDetailPane {
     if (!key.equals(selected)) {
       selected = key;
       model.echo(Optional.empty());
+      model.listMessages(Optional.empty());
       display.timerExec(REST_MILLIS, rested);
     }
   }
@@ -142,6 +149,7 @@ final class TopicDetailPane {
     switch (seen) {
       case ABOUT -> about.show(described);
       case ECHO -> echo.show(look);
+      case MESSAGES -> messages.show(look.messages());
       case PUBLISH -> publish.show(look, described);
     }
   }
@@ -150,6 +158,7 @@ final class TopicDetailPane {
     return switch (seen) {
       case ABOUT -> about.control();
       case ECHO -> echo.control();
+      case MESSAGES -> messages.control();
       case PUBLISH -> publish.control();
     };
   }
@@ -175,5 +184,6 @@ final class TopicDetailPane {
 
   private void listen() {
     model.echo(seen() == Leaf.ECHO ? selected : Optional.empty());
+    model.listMessages(seen() == Leaf.MESSAGES ? selected : Optional.empty());
   }
 }

@@ -1,10 +1,13 @@
 package org.robotui.uic.topics.internal.view;
 
+import java.util.List;
 import java.util.Optional;
 import org.robotui.api.port.Browser.Kind;
 import org.robotui.ui.control.RowTable;
 import org.robotui.uic.topics.internal.model.Fact;
 import org.robotui.uic.topics.internal.model.Key;
+import org.robotui.uic.topics.internal.model.MessageContent.FieldChange;
+import org.robotui.uic.topics.internal.model.TimedMessage;
 import org.robotui.uic.topics.internal.model.TopicRow;
 
 /** A surface in the hands of a test. */
@@ -29,6 +32,23 @@ public final class Stage {
 
   public void open() {
     surface.detail().open();
+  }
+
+  public void messages() {
+    surface.detail().open(TopicDetailPane.Leaf.MESSAGES);
+  }
+
+  public RowTable<TimedMessage> listed() {
+    return surface.detail().messages().list();
+  }
+
+  /** What has changed in the message that is shown, by the names of the fields. */
+  public List<String> changed() {
+    return surface.detail().messages().changes().list().rows().stream().map(FieldChange::path).toList();
+  }
+
+  public List<String> letters() {
+    return surface.detail().messages().bytes().list().rows().stream().map(BytesLines.Line::letters).toList();
   }
 
   public void publish() {

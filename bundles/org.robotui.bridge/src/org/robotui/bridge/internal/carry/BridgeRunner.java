@@ -1,0 +1,100 @@
+package org.robotui.bridge.internal.carry;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.locks.LockSupport;
+import org.robotui.api.bridge.BridgeConfig;
+import org.robotui.api.bridge.BridgeStatus;
+import org.robotui.api.bridge.BridgeTransform.Direction;
+import org.robotui.api.host.Host;
+import org.robotui.bridge.internal.TransformTable;
+import org.robotui.net.thread.Uninterruptibles;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Carries values on a thread of its own, so that the threads that receive them never wait. It looks for values every
+ * millisecond while some come, and seldom while none do.
+ */
+public final class BridgeRunner implements AutoCloseable {
+  private static final Logger LOG = LoggerFactory.getLogger(BridgeRunner.class);
+  private static final long LOOK_NANOS = 200_000_000L;
+  private static final long BUSY_PAUSE = 500_000L;
+  private static final long IDLE_PAUSE = 10_000_000L;
+  private static final long EMPTY_PAUSE = 100_000_000L;
+  private static final Duration END = Duration.ofSeconds(2);
+
+  private final Host host;
+  private final CarryContext surroundings;
+  private final Map<BridgeConfig, List<BridgeWay>> running = new LinkedHashMap<>();
+  private final Thread thread = Thread.ofPlatform().daemon().name("robotui-bridges").unstarted(this::run);
+  private volatile List<BridgeWay> ways = List.of();
+  private volatile boolean closed;
+
+  /** Begins at once. */
+  public BridgeRunner(Host host, TransformTable transforms) {
+    this.host = host;
+    this.surroundings = new CarryContext(host, transforms);
+    thread.start();
+  }
+
+  /** How the bridges are doing. */
+  public List<BridgeStatus> statuses() {
+    return ways.stream().map(BridgeWay::status).toList();
+  }
+
+  private void run() {
+    long look = System.nanoTime();
+    while (!closed) {
+      long now = System.nanoTime();
+      if (now - look >= 0) {
+        guarded(this::follow);
+        ways.forEach(way -> guarded(() -> way.look(now)));
+        look = now + LOOK_NANOS;
+      }
+      ways.forEach(way -> guarded(() -> way.carry(now)));
+      boolean busy = ways.stream().anyMatch(way -> way.isActive(now));
+      LockSupport.parkNanos(busy ? BUSY_PAUSE : ways.isEmpty() ? EMPTY_PAUSE : IDLE_PAUSE);
+    }
+    ways.forEach(way -> guarded(way::close));
+  }
+
+  /** One bridge that fails must not end the others. */
+  private static void guarded(Runnable part) {
+    try {
+      part.run();
+    } catch (RuntimeException e) {
+      LOG.warn("a bridge failed", e);
+    }
+  }
+
+  /** Those whose configuration stays go on as they are. */
+  private void follow() {
+    List<BridgeConfig> wanted = host.bridges();
+    List<BridgeConfig> gone = running.keySet().stream().filter(config -> !wanted.contains(config)).toList();
+    gone.forEach(config -> running.remove(config).forEach(BridgeWay::close));
+    wanted.forEach(config -> running.computeIfAbsent(config, this::ways));
+    List<BridgeWay> all = new ArrayList<>();
+    wanted.forEach(config -> all.addAll(running.get(config)));
+    ways = List.copyOf(all);
+  }
+
+  private List<BridgeWay> ways(BridgeConfig config) {
+    BridgeWay forth = new BridgeWay(config, Direction.FORTH, surroundings);
+    return config.settings().flag("both") ? List.of(forth, new BridgeWay(config, Direction.BACK, surroundings))
+        : List.of(forth);
+  }
+
+  /** What bridges move has been stopped, and leases given back, when this returns. */
+  @Override
+  public void close() {
+    closed = true;
+    LockSupport.unpark(thread);
+    if (Thread.currentThread() != thread) {
+      Uninterruptibles.await(System.nanoTime() + END.toNanos(), nanos -> thread.join(Duration.ofNanos(nanos)));
+    }
+  }
+}

@@ -1,0 +1,115 @@
+package org.robotui.core.internal.config;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.robotui.api.bridge.BridgeConfig;
+import org.robotui.api.bridge.BridgeEnd;
+import org.robotui.api.bridge.BridgeWords;
+import org.robotui.api.config.Placed;
+import org.robotui.api.config.Settings;
+import org.robotui.api.host.Problem;
+import org.robotui.api.port.SourceId;
+
+/** Reads bridges: names with a section each, whose ends are ports of robot interfaces of the same file. */
+final class BridgesReader {
+  private final Path file;
+  private final Map<String, List<String>> interfaces;
+  private final List<Problem> problems;
+  private final BridgeLoops loops = new BridgeLoops();
+
+  /** For a file with these RUICs, each with the ids of its robot interfaces. */
+  BridgesReader(Path file, Map<String, List<String>> interfaces, List<Problem> problems) {
+    this.file = file;
+    this.interfaces = interfaces;
+    this.problems = problems;
+  }
+
+  /** The robot interfaces of a file, also those that have errors. */
+  static Map<String, List<String>> interfaces(YamlValue.Section root) {
+    Map<String, List<String>> found = new LinkedHashMap<>();
+    root.get("ruics").filter(YamlValue.Section.class::isInstance).map(YamlValue.Section.class::cast)
+        .ifPresent(ruics -> ruics.entries().forEach(ruic -> found.put(ruic.key(), ids(ruic.value()))));
+    return found;
+  }
+
+  private static List<String> ids(YamlValue ruic) {
+    return ruic instanceof YamlValue.Section section
+        ? section.get("rfics").filter(YamlValue.Section.class::isInstance).map(YamlValue.Section.class::cast)
+            .map(rfics -> rfics.entries().stream().map(YamlValue.Entry::key).toList()).orElse(List.of())
+        : List.of();
+  }
+
+  List<BridgeConfig> read(YamlValue value) {
+    List<BridgeConfig> bridges = new ArrayList<>();
+    Shape.section(value, "'bridges'", problems)
+        .ifPresent(section -> section.entries().forEach(entry -> bridge(entry).ifPresent(bridges::add)));
+    return List.copyOf(bridges);
+  }
+
+  private Optional<BridgeConfig> bridge(YamlValue.Entry entry) {
+    Optional<YamlValue.Section> section = Shape.section(entry.value(), "the bridge '" + entry.key() + "'", problems);
+    if (section.isEmpty()) {
+      return Optional.empty();
+    }
+    int before = problems.size();
+    Settings settings = new ValueReader(problems).settings(section.get(), BridgeWords.SCHEMA);
+    if (problems.size() > before) {
+      return Optional.empty();
+    }
+    Optional<BridgeEnd> from = end(settings.placed("from"));
+    Optional<BridgeEnd> to = end(settings.placed("to"));
+    if (from.isEmpty() || to.isEmpty()) {
+      return Optional.empty();
+    }
+    BridgeConfig bridge =
+        new BridgeConfig(file, entry.place().line(), entry.key(), from.get(), to.get(), settings);
+    Optional<String> fault = fault(settings).or(() -> loops.add(bridge));
+    fault.ifPresent(f -> problems.add(entry.place().error("the bridge '" + entry.key() + "' " + f)));
+    return fault.isEmpty() ? Optional.of(bridge) : Optional.empty();
+  }
+
+  private static Optional<String> fault(Settings settings) {
+    if (settings.flag("both") && settings.has("fields")) {
+      return Optional.of("goes both ways, but its 'fields' go one way only; write a bridge for each way, or use a"
+          + " 'transform', which knows both");
+    }
+    return settings.has("fields") && settings.has("transform")
+        ? Optional.of("has both 'fields' and a 'transform'; leave one of them out")
+        : Optional.empty();
+  }
+
+  /** The name of a RUIC may have dots in it: the longest one that fits is meant. */
+  private Optional<BridgeEnd> end(Placed written) {
+    String text = written.value().toString();
+    Optional<String> ruic = interfaces.keySet().stream().filter(name -> text.startsWith(name + "."))
+        .max(Comparator.comparingInt(String::length));
+    if (ruic.isEmpty()) {
+      String first = text.substring(0, text.indexOf('.'));
+      return wrong(written, "there is no robot UI '" + first + "' for a bridge"
+          + NearestWord.hint(first, interfaces.keySet()));
+    }
+    String rest = text.substring(ruic.get().length() + 1);
+    List<String> ids = interfaces.get(ruic.get());
+    Optional<String> named = ids.stream().filter(id -> rest.startsWith(id + ".") && rest.length() > id.length() + 1)
+        .max(Comparator.comparingInt(String::length));
+    if (named.isEmpty() && ids.size() != 1) {
+      return wrong(written, "'" + ruic.get() + "' has " + (ids.isEmpty() ? "no robot interface"
+          : "several robot"
+              + " interfaces; write which of them is meant, such as " + ruic.get() + "." + ids.getFirst() + "."
+              + rest));
+    }
+    String port = named.map(id -> rest.substring(id.length() + 1)).orElse(rest);
+    return Optional.of(new BridgeEnd(ruic.get(),
+        new SourceId(named.orElseGet(ids::getFirst), port.startsWith("/") ? port.substring(1) : port)));
+  }
+
+  private Optional<BridgeEnd> wrong(Placed written, String message) {
+    problems.add(Place.of(written, "").error(message));
+    return Optional.empty();
+  }
+}

@@ -1,0 +1,51 @@
+package org.robotui.rfic.roblets.internal.convert;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.stream.Collectors;
+import org.robotui.data.record.DynamicRecord;
+import org.robotui.data.record.FieldValue;
+import org.robotui.data.record.MapRecord;
+import org.robotui.roblets.tree.BodyElement;
+
+/** Elements as records: attributes and elements are fields, several of one name are a list. */
+public final class ElementRecord {
+  private static final String TEXT = "text";
+
+  private ElementRecord() {}
+
+  public static DynamicRecord of(String schema, BodyElement element) {
+    Map<String, FieldValue> fields = new LinkedHashMap<>();
+    element.attributes().forEach((name, text) -> fields.put(name, value(element, name, text)));
+    if (!element.text().isEmpty()) {
+      fields.put(TEXT, plain(element.text()));
+    }
+    Map<String, List<BodyElement>> children = element.children().stream()
+        .collect(Collectors.groupingBy(BodyElement::name, LinkedHashMap::new, Collectors.toList()));
+    children.forEach((name, all) -> fields.putIfAbsent(name, all.size() == 1 ? value(all.getFirst())
+        : new FieldValue.Items(all.stream().map(ElementRecord::value).toList())));
+    return new MapRecord(schema, fields);
+  }
+
+  /** An element of which there is nothing but its text is that text. */
+  private static FieldValue value(BodyElement element) {
+    return element.attributes().isEmpty() && element.children().isEmpty() ? plain(element.text())
+        : new FieldValue.Nested(of(element.name(), element));
+  }
+
+  private static FieldValue value(BodyElement element, String name, String text) {
+    OptionalDouble number = element.number(name);
+    return number.isPresent() ? new FieldValue.Num(number.getAsDouble(), text) : word(text);
+  }
+
+  private static FieldValue plain(String text) {
+    return value(BodyElement.of(TEXT).with(TEXT, text), TEXT, text);
+  }
+
+  private static FieldValue word(String text) {
+    return text.equals("true") || text.equals("false") ? new FieldValue.Flag(text.equals("true"))
+        : new FieldValue.Text(text);
+  }
+}

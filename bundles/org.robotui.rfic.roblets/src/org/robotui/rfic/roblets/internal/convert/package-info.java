@@ -1,0 +1,2 @@
+/** Messages of roblets as data types. */
+package org.robotui.rfic.roblets.internal.convert;

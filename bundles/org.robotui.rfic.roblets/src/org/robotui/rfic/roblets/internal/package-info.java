@@ -1,0 +1,2 @@
+/** The type roblets: settings and sessions. */
+package org.robotui.rfic.roblets.internal;

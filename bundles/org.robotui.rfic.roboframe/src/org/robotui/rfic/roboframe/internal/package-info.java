@@ -1,0 +1,2 @@
+/** Robots that run applications of RoboFrame. */
+package org.robotui.rfic.roboframe.internal;

@@ -1,0 +1,2 @@
+/** One connection to an application, and what is offered through it. */
+package org.robotui.rfic.roboframe.internal.session;

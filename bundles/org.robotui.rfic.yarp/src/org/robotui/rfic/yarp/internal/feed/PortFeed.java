@@ -1,0 +1,119 @@
+package org.robotui.rfic.yarp.internal.feed;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
+import org.robotui.api.port.RawMessage;
+import org.robotui.api.port.RawOrigin;
+import org.robotui.data.Data;
+import org.robotui.data.Stamp;
+import org.robotui.data.array.Bytes;
+import org.robotui.data.record.DynamicRecord;
+import org.robotui.net.call.Outcome;
+import org.robotui.net.socket.HostPort;
+import org.robotui.rfic.yarp.internal.convert.BottleRecord;
+import org.robotui.yarp.bottle.BottleCodec;
+import org.robotui.yarp.bottle.YarpFormatException;
+import org.robotui.yarp.port.PortArrival;
+
+/**
+ * A port of the robot as streams. It is told to connect to ours only while somebody wants one of them. Messages come on
+ * reading threads; {@link #tick} is for the thread that follows the robot.
+ */
+final class PortFeed implements AutoCloseable {
+  static final String ENCODING = "yarp";
+  private static final long AGAIN_NANOS = Duration.ofSeconds(1).toNanos();
+
+  private final Wires wires;
+  private final String name;
+  private final boolean placed;
+  private final List<PortOutlet<?>> outlets = new CopyOnWriteArrayList<>();
+  private volatile HostPort where;
+  private volatile boolean asked;
+  private volatile boolean closed;
+  private long askedAt = System.nanoTime() - AGAIN_NANOS; // only on the thread that follows
+
+  /** Placed where it says something only to those who know where the robot is. */
+  PortFeed(Wires wires, String name, HostPort where, boolean placed) {
+    this.wires = wires;
+    this.name = name;
+    this.where = where;
+    this.placed = placed;
+  }
+
+  <D extends Data> PortOutlet<D> offer(String port, Class<D> type, String help, PortOutlet.Making<D> making) {
+    PortOutlet<D> outlet = new PortOutlet<>(wires, port, type, name + ": " + help, making);
+    outlets.add(outlet);
+    return outlet;
+  }
+
+  void at(HostPort now) {
+    where = now;
+  }
+
+  boolean wanted() {
+    return !closed && outlets.stream().anyMatch(PortOutlet::demanded);
+  }
+
+  boolean placedAndWanted() {
+    return placed && wanted();
+  }
+
+  /** Acts on what is wanted now, which may block. */
+  void tick(boolean needed, boolean connected) {
+    long now = System.nanoTime();
+    if (needed && !connected && !closed && now - askedAt >= AGAIN_NANOS) {
+      askedAt = now;
+      asked = true;
+      Outcome<String> outcome = wires.admin().connect(where, wires.settings().carrier(), wires.own());
+      String reason = outcome.reason();
+      outlets.forEach(outlet -> outlet.failed(reason.isEmpty() ? "" : name + " does not say anything: " + reason));
+    } else if (!needed && asked) {
+      letGo();
+    }
+  }
+
+  /** The robot's port says nothing more to ours; blocks. */
+  void letGo() {
+    if (asked) {
+      asked = false;
+      wires.admin().disconnect(where, wires.own());
+      askedAt = System.nanoTime() - AGAIN_NANOS;
+    }
+  }
+
+  void received(PortArrival arrival) {
+    long now = System.nanoTime();
+    wires.pulse().heard(now);
+    if (!closed) {
+      Optional<Stamp> stamp = wires.stamp(arrival.stamp());
+      RawMessage raw = raw(arrival);
+      outlets.forEach(outlet -> outlet.take(arrival.bottle(), stamp, now, raw));
+    }
+  }
+
+  void unreadable(String reason) {
+    outlets.stream().filter(PortOutlet::demanded).forEach(outlet -> outlet.lost(name + ": " + reason));
+  }
+
+  private RawMessage raw(PortArrival arrival) {
+    Bytes bytes = Bytes.wrap(arrival.bytes(), 0, arrival.bytes().length);
+    return new RawMessage(name, ENCODING, bytes, read -> record(arrival.bytes()),
+        new RawOrigin(name, name, false, Optional::empty));
+  }
+
+  private Optional<DynamicRecord> record(byte[] bytes) {
+    try {
+      return Optional.of(new BottleRecord(name, BottleCodec.read(bytes)));
+    } catch (YarpFormatException e) {
+      return Optional.empty();
+    }
+  }
+
+  @Override
+  public void close() {
+    closed = true;
+    outlets.forEach(PortOutlet::close);
+  }
+}

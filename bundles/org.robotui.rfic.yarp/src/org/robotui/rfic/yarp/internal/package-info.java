@@ -1,0 +1,2 @@
+/** The type yarp: settings and sessions. */
+package org.robotui.rfic.yarp.internal;

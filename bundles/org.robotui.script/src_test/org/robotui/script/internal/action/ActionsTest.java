@@ -1,0 +1,166 @@
+package org.robotui.script.internal.action;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.robotui.api.command.Principal;
+import org.robotui.api.layout.Arrangement;
+import org.robotui.api.layout.DropTarget;
+import org.robotui.api.layout.Edge;
+import org.robotui.api.layout.Layout;
+import org.robotui.api.script.ActionWatch;
+import org.robotui.api.script.ScriptFunction;
+import org.robotui.api.script.ScriptFunctions;
+import org.robotui.api.script.ScriptLine;
+import org.robotui.script.internal.engine.Console;
+import org.robotui.testkit.host.FakeRuic;
+
+/** What users do becomes lines, and the lines do the same again. */
+@Timeout(30)
+class ActionsTest {
+  private static final Principal YOU = new Principal("window", "You", Principal.Kind.WINDOW);
+  private static final Principal PROGRAM = new Principal("script-9", "a script", Principal.Kind.SCRIPT);
+
+  private final Console console = new Console();
+  private final FakeRuic natalie = new FakeRuic("Natalie");
+  private HostWatch watch;
+
+  @BeforeEach
+  void robot() {
+    console.host.add(natalie);
+    natalie.laidOut(new Layout.Tabs(List.of("map", "plot", "log")));
+    watch = new HostWatch(console.host);
+  }
+
+  @AfterEach
+  void end() {
+    console.close();
+  }
+
+  private void arrange(Arrangement wanted) {
+    natalie.arranging().arrange(wanted);
+  }
+
+  private Arrangement now() {
+    return natalie.arranging().now();
+  }
+
+  /** The lines of what was done, which must lead to the same from how it was before. */
+  private List<String> again(Arrangement before) {
+    Arrangement wanted = now();
+    List<String> lines = watch.next();
+    arrange(before);
+    console.value(String.join("\n", lines));
+    assertEquals(wanted, now());
+    return lines;
+  }
+
+  @Test
+  void viewsThatAreOpenedClosedAndShownAreSaid() {
+    Arrangement before = now();
+    arrange(before.fronted("log"));
+    assertEquals(List.of("showView(\"log\", \"Natalie\");"), again(before));
+    before = now();
+    watch.next();
+    arrange(before.closed("plot"));
+    assertEquals(List.of("closeView(\"plot\", \"Natalie\");"), again(before));
+    before = now();
+    watch.next();
+    arrange(before.opened("plot", natalie.arranging().written().layout()));
+    assertEquals(List.of("openView(\"plot\", \"Natalie\");"), again(before));
+  }
+
+  @Test
+  void oneMoreOfATypeIsOpenedByItsType() {
+    arrange(now().adding(new Arrangement.Added("camera-2", "camera")).opened("camera-2", now().layout()));
+    assertEquals(List.of("openView(\"camera\", \"Natalie\");"), watch.next());
+  }
+
+  @Test
+  void whatWasDraggedIsSaidToBeNoLine() {
+    arrange(now().with("log", new DropTarget.Border(0, Edge.LEFT)));
+    List<String> lines = watch.next();
+    assertEquals(1, lines.size());
+    assertTrue(lines.getFirst().startsWith("// The views of \"Natalie\" were arranged by hand"), lines.toString());
+    assertEquals(List.of(), watch.next());
+  }
+
+  @Test
+  void aPerspectiveIsSaidInPlaceOfItsViews() {
+    natalie.arranging().keep("Drive");
+    natalie.arranging().forget("Drive");
+    watch.next();
+    natalie.arranging().keep("Look");
+    assertEquals(List.of("perspective(\"Look\", \"Natalie\");"), watch.next());
+  }
+
+  @Test
+  void controlAndStopsOfUsersAreSaidAndThoseOfScriptsAreNot() {
+    String robot = natalie.authority().robot();
+    natalie.authority().take(YOU, false);
+    natalie.authority().stop(YOU);
+    assertEquals(List.of(ScriptLine.call("takeControl", robot), ScriptLine.call("stop", robot)), watch.next());
+    natalie.authority().releaseStop(YOU);
+    natalie.authority().giveBack(YOU);
+    assertEquals(List.of(ScriptLine.call("giveBackControl", robot), ScriptLine.call("releaseStop", robot)),
+        watch.next());
+    natalie.authority().take(PROGRAM, false);
+    assertEquals(List.of(), watch.next());
+  }
+
+  @Test
+  void selectionsAndWhatIsTakenAwayAreSaid() {
+    natalie.selection().set(new LinkedHashSet<>(List.of("r2", "r1")));
+    assertEquals(List.of("selectRobots([\"r2\", \"r1\"], \"Natalie\");"), watch.next());
+    console.host.remove(natalie);
+    assertEquals(List.of("remove(\"Natalie\");"), watch.next());
+  }
+
+  @Test
+  void theRecorderWaitsAsTheUserDidAndOneThatFailsHidesNothing() throws Exception {
+    List<String> lines = new CopyOnWriteArrayList<>();
+    ScriptFunctions failing = new Watched(() -> {
+      throw new IllegalStateException("on purpose");
+    });
+    try (ActionRecorder recorder = new ActionRecorder(console.host, List.of(failing), lines::add)) {
+      arrange(now().fronted("log"));
+      while (lines.isEmpty()) {
+        Thread.sleep(10);
+      }
+      Thread.sleep(700);
+      arrange(now().fronted("map"));
+    }
+    assertEquals(3, lines.size(), "what was done last is said at the end: " + lines);
+    assertEquals("showView(\"log\", \"Natalie\");", lines.getFirst());
+    assertTrue(lines.get(1).matches("sleep\\([0-9]+\\.[0-9]\\);"), lines.get(1));
+    assertEquals("showView(\"map\", \"Natalie\");", lines.getLast());
+  }
+
+  @Test
+  void textsAreWrittenSuchThatTheyAreReadAsTheyWere() {
+    String text = "a \"b\" \\ c\nd \u00e4 \u2028";
+    assertEquals(text, console.value(ScriptLine.literal(text)));
+    assertEquals("f(1, 0.25, true, [\"x\"]);", ScriptLine.call("f", 1, 0.25, true, List.of("x")));
+  }
+
+  /** Functions of a bundle that watches. */
+  private record Watched(ActionWatch own) implements ScriptFunctions {
+    @Override
+    public List<ScriptFunction> functions() {
+      return List.of();
+    }
+
+    @Override
+    public Optional<ActionWatch> watch() {
+      return Optional.of(own);
+    }
+  }
+}

@@ -1,0 +1,2 @@
+/** The view Body. */
+package org.robotui.uic.body.internal;

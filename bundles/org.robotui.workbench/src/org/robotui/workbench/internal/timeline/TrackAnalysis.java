@@ -1,0 +1,76 @@
+package org.robotui.workbench.internal.timeline;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.HashSet;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import org.robotui.api.config.AtomicFile;
+import org.robotui.api.config.WriteFailure;
+import org.robotui.api.replay.OffsetEstimate;
+import org.robotui.api.replay.OffsetEstimation;
+import org.robotui.api.replay.RecordingReports;
+import org.robotui.api.replay.TrackId;
+import org.robotui.workbench.internal.timeline.RecordingCalls.Answer;
+
+/** What takes long and is asked of one recording, one thing at a time; all windows share it. Display thread. */
+public final class TrackAnalysis {
+  private static final String NOT_THERE = "the feature 'RobotUI recordings' is not installed";
+
+  private final RecordingCalls calls;
+  private final Supplier<Optional<OffsetEstimation>> offsets;
+  private final Supplier<Optional<RecordingReports>> reports;
+  private final Set<TrackId> busy = new HashSet<>();
+
+  /**
+   * With nothing to do yet.
+   *
+   * @param calls runs what is asked for
+   * @param offsets estimates offsets, where it is there
+   * @param reports writes reports, where it is there
+   */
+  public TrackAnalysis(RecordingCalls calls, Supplier<Optional<OffsetEstimation>> offsets,
+      Supplier<Optional<RecordingReports>> reports) {
+    this.calls = calls;
+    this.offsets = offsets;
+    this.reports = reports;
+  }
+
+  boolean isBusy(TrackId track) {
+    return busy.contains(track);
+  }
+
+  /** Estimates by how much a recording is to be moved. */
+  void offset(TrackId reference, TrackId moved, Consumer<Answer<OffsetEstimate>> told) {
+    start(moved, () -> there(offsets).estimate(reference, moved)
+        .orElseThrow(() -> new IllegalArgumentException(OffsetEstimate.NONE)), told);
+  }
+
+  /** Writes a report to a file. */
+  void report(TrackId track, Path file, Consumer<Answer<Path>> told) {
+    start(track, () -> {
+      String page = there(reports).page(track);
+      try {
+        AtomicFile.write(file, page);
+      } catch (IOException e) {
+        throw new IOException(file + " could not be written: " + WriteFailure.reason(e), e);
+      }
+      return file;
+    }, told);
+  }
+
+  private static <S> S there(Supplier<Optional<S>> service) {
+    return service.get().orElseThrow(() -> new IllegalArgumentException(NOT_THERE));
+  }
+
+  private <V> void start(TrackId track, RecordingCalls.Call<V> call, Consumer<Answer<V>> told) {
+    if (busy.add(track)) {
+      calls.start(call, answer -> {
+        busy.remove(track);
+        told.accept(answer);
+      });
+    }
+  }
+}

@@ -1,0 +1,95 @@
+"""./robotui bridge between nodes of rospy and rclpy: topics both ways, kept messages, commands with limits, and the return of who was killed."""
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import urllib.request
+
+import pytest
+
+from conftest import ROOT, end, kill_all_of, start_robotui, tell, wait_for
+
+PEERS = pathlib.Path(__file__).parent / "peers"
+RCLPY = pathlib.Path(os.environ.get("ROBOTUI_ROS2_PEERS", "none")) / "rclpy/bin/python"
+DOMAIN = int(os.environ.get("ROBOTUI_TEST_DOMAIN", "70")) + 12 + int(os.environ.get("PYTEST_XDIST_WORKER", "gw0").removeprefix("gw"))
+
+pytestmark = pytest.mark.skipif(not RCLPY.exists(), reason="rclpy is not installed (ROBOTUI_ROS2_PEERS)")
+
+CONFIG = """
+bridges:
+  scan: {from: Old.scan, to: New.natalie/scan, frame_prefix: natalie/}
+  greeting: {from: New.greeting, to: Old.greeting, lease: false}
+  drive: {from: New.drive, to: Old.cmd_vel, max_linear: 0.2}
+ruics:
+  Old: {type: single, view: text, rfics: {base: {type: ros}}}
+  New: {type: single, view: text, rfics: {base: {type: ros2}}}
+"""
+
+
+def test_nodes_of_ros_1_and_ros_2_hear_and_command_each_other(roscore, tmp_path):
+    roscore.environment |= {"ROS_DOMAIN_ID": str(DOMAIN), "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST"}
+    config = tmp_path / "bridge.yaml"
+    config.write_text(CONFIG, encoding="utf-8")
+    bridge = start_robotui(roscore, "bridge", config, "--json", "--metrics", "0", name="bridge")
+    roscore.start_tool("/usr/bin/python3", PEERS / "accountable_robot.py", name="robot")
+    visitor = start_visitor(roscore, "visitor", "--drive")
+
+    heard = wait_for(lambda: scans(visitor, 20), what="a scan of ROS 1 at a node of ROS 2")
+    assert (heard["frame"], heard["rays"], heard["first"]) == ("natalie/base_link", 301, -1.5)
+    assert heard["age"] < 0.5, "stamps stay what they are"
+    assert "hello from ROS 2" in roscore.tool("rostopic", "echo", "-n", "1", "/greeting"), "a message that was said once, before anybody listened"
+    wait_for(lambda: 0.19 < roscore.odometry()[2] < 0.21, what="the robot to be driven, and not faster than the bridge allows")
+    assert line(bridge, "drive")["control"] == "Bridge drive"
+
+    numbers = metrics(bridge)
+    assert 'robotui_bridge_state{bridge="scan",from="Old.base.scan",to="New.base.natalie/scan",state="carrying"} 1' in numbers
+    passed = next(float(row.split()[-1]) for row in numbers.splitlines() if row.startswith('robotui_bridge_passed_total{bridge="scan"'))
+    assert passed >= 20
+
+    end(visitor, how=signal.SIGKILL)                                   # who commanded is gone: the robot stands, and the lease is given back
+    wait_for(lambda: roscore.odometry()[2] == 0, what="the robot to stand")
+    kill_all_of(next(p for p in roscore.processes.running if p.out.name == "robot.out"))
+    again = start_visitor(roscore, "again")
+    roscore.start_tool("/usr/bin/python3", PEERS / "accountable_robot.py", name="robot2")
+    heard = wait_for(lambda: scans(again, 20), what="scans of a robot that came back")
+    assert heard["gaps"] <= 1, "nothing is lost on the way"
+    wait_for(lambda: line(bridge, "drive")["control"] == "", what="the lease to be given back")
+
+    tell(bridge, signal.SIGINT)
+    bridge.wait(30)                             # a loaded machine takes its time to end a Java
+    assert bridge.returncode == 130, bridge.err.read_text()
+
+
+def start_visitor(roscore, name, *options):
+    root = str(RCLPY.parent.parent)
+    surroundings = roscore.environment | {"FASTDDS_BUILTIN_TRANSPORTS": "UDPv4", "LD_LIBRARY_PATH": f"{root}/lib", "AMENT_PREFIX_PATH": root}
+    return roscore.processes.start([RCLPY, PEERS / "bridge_visitor.py", *options], name, surroundings)
+
+
+def lines(process):
+    return [json.loads(row) for row in process.out.read_text().splitlines(keepends=True) if row.endswith("\n")]
+
+
+def scans(visitor, least):
+    said = lines(visitor)
+    return said[-1] if said and said[-1]["scans"] >= least else None
+
+
+def line(bridge, name):
+    return next((row for row in reversed(lines(bridge)) if row["bridge"] == name), {"control": None})
+
+
+def metrics(bridge):
+    address = next(word for word in bridge.err.read_text().split() if word.startswith("http://127.0.0.1"))
+    with urllib.request.urlopen(address, timeout=10) as answer:
+        return answer.read().decode()
+
+
+def test_what_cannot_be_bridged_is_said_with_its_place(environment, tmp_path):
+    config = tmp_path / "loop.yaml"
+    config.write_text(CONFIG.replace("drive: {from: New.drive", "back: {from: New.natalie/scan, to: Old.scan}\n  drive: {from: New.drive"), encoding="utf-8")
+    answer = subprocess.run([ROOT / "robotui", "check", config], capture_output=True, text=True, timeout=60, env=environment, check=False)
+
+    assert answer.returncode == 1, answer.stdout + answer.stderr
+    assert f"{config}:5:3: error: the bridge 'back' closes a loop: New.base.natalie/scan -> Old.base.scan -> New.base.natalie/scan" in answer.stdout

@@ -1,0 +1,32 @@
+"""A simulated robot of each framework that has no stock tools here, started by ./robotui from its configuration."""
+import re
+
+import pytest
+
+from conftest import NO_DISPLAY, ROOT, json_lines, wait_for
+
+DEMOS = {
+    "boat": ({"gps/position": 3, "compass/heading": 5, "log/motion": 10, "helm/order": 5, "body": 2}, r"export ROBLETS_BRAIN=127\.0\.0\.1:\d+"),
+    "carmen-demo": ({"base_odometry": 10, "robot_frontlaser": 10, "base_sonar": 5, "localize_globalpos": 2}, r"export CENTRALHOST=127\.0\.0\.1:\d+"),
+    "roboframe-demo": ({"odometry": 10, "laser/scan": 10, "localisation/pose": 5}, r"export ROBOFRAME_ADDR=127\.0\.0\.1:\d+"),
+    "smartsoft-demo": ({"base/baseState": 10, "laser/laserScan": 10, "base/baseState/pose": 10}, r"export SMART_NS_ADDR=127\.0\.0\.1:\d+"),
+    "yarp-demo": ({"odo/odometry": 10, "laser": 10, "imu/measures": 10, "localization/streaming": 5}, r"yarp conf 127\.0\.0\.1 \d+"),
+}
+
+
+def live(process, port, least):
+    """The newest line about a port, if it is fast enough."""
+    lines = [line for line in json_lines(process) if line["port"].split(".", 1)[1] == port]
+    return lines[-1] if lines and lines[-1]["rate_hz"] >= least and lines[-1]["link"] == "connected" else None
+
+
+@pytest.mark.parametrize("demo", DEMOS)
+def test_the_demo_is_live_and_says_where(processes, environment, demo):
+    ports, address = DEMOS[demo]
+    surroundings = {key: value for key, value in environment.items() if key not in NO_DISPLAY}
+    robotui = processes.start([ROOT / "robotui", "run", "--json", demo], "robotui", surroundings)
+
+    for port, least in ports.items():
+        line = wait_for(lambda: live(robotui, port, least), seconds=90, what=f"{port} at {least} Hz")
+        assert line["dropped"] == 0
+    assert re.search(address, robotui.err.read_text())

@@ -1,0 +1,84 @@
+"""What ./robotui log play sends, as the stock recorders of ROS 1 and LCM have it: every message, byte for byte."""
+import collections
+import shutil
+import signal
+import subprocess
+import time
+
+import pytest
+
+from conftest import ROOT, SHARED, end, free_port, tell, wait_for
+
+BUFFER = 4096             # so much a program of C keeps before it writes
+# Reads bags by the stock library, which this Python need not have.
+MESSAGES = """
+import collections, hashlib, rosbag, sys
+found = collections.Counter((topic, raw[0], raw[2], hashlib.md5(bytes(raw[1])).hexdigest())
+                            for topic, raw, _ in rosbag.Bag(sys.argv[1]).read_messages(raw=True) if not topic.startswith("/rosout"))
+print("\\n".join(f"{count} {' '.join(key)}" for key, count in sorted(found.items())))
+"""
+
+
+def recording(name):
+    file = SHARED / "data" / name
+    if not file.exists():
+        pytest.skip("the shared recordings are not here")
+    return file
+
+
+def play(environment, *arguments, code=0):
+    done = subprocess.run([ROOT / "robotui", "log", "play", *map(str, arguments)], env=environment, capture_output=True, text=True, timeout=60)
+    assert done.returncode == code, done.stdout + done.stderr
+    return done.stdout + done.stderr
+
+
+def messages(bag):
+    lines = subprocess.run(["/usr/bin/python3", "-c", MESSAGES, bag], capture_output=True, text=True, check=True, timeout=60).stdout.splitlines()
+    return collections.Counter({line.split(" ", 1)[1]: int(line.split(" ", 1)[0]) for line in lines})
+
+
+def test_the_stock_recorder_of_ros_gets_what_was_recorded(roscore, tmp_path):
+    original, bag = recording("bags/turtlesim.bag"), tmp_path / "again.bag"
+    recorder = roscore.start_tool("rosbag", "record", "-a", "-O", str(bag), "__name:=recorder", name="record")
+    wait_for(lambda: "/recorder" in roscore.nodes(), what="the recorder")
+    said = play(roscore.environment, original, "--clock", "--rate", "8", "--wait-for-subscribers")
+    assert "8647 messages were sent" in said
+    assert not [node for node in roscore.nodes() if node.startswith("/robotui_play")], "it has left"
+    tell(recorder, signal.SIGINT)               # its program in Python ends before the one that writes, which must not be killed then
+    wait_for(bag.exists, what="the bag")
+    end(recorder)
+
+    there, again = messages(original), messages(bag)
+    clock = collections.Counter({key: count for key, count in again.items() if key.startswith("/clock ")})
+    assert again - clock == there
+    assert clock.total() > 100
+
+
+def test_a_master_that_is_not_there_is_named(environment):
+    uri = f"http://127.0.0.1:{free_port()}"
+    said = play(environment | {"ROS_MASTER_URI": uri}, recording("bags/marker_cube.bag"), code=2)
+    assert said.startswith(f"robotui: no master of ROS answers at {uri}")
+
+
+@pytest.mark.skipif(shutil.which("lcm-logger") is None, reason="lcm-logger is not installed (liblcm-bin)")
+def test_the_stock_logger_of_lcm_gets_what_was_recorded(processes, environment, tmp_path):
+    original, log = recording("lcm/tiago_joint_states.lcmlog"), tmp_path / "again.lcmlog"
+    url = f"udpm://239.255.77.9:{free_port()}?ttl=0"
+    logger = processes.start(["lcm-logger", f"--lcm-url={url}", str(log)], "logger", environment)
+    wait_for(log.exists, what="the logger")
+    play(environment | {"LCM_DEFAULT_URL": url}, original, "--rate", "10", "--delay", "2")
+    wait_for(lambda: log.exists() and log.stat().st_size > original.stat().st_size - BUFFER, what="nearly all messages")
+    time.sleep(0.5)                             # for those that came last: it writes them when it ends
+    end(logger)
+    assert events(log.read_bytes()) == events(original.read_bytes())
+
+
+def events(data):
+    """Channels and bytes, without the times at which they were logged."""
+    found, at = [], 0
+    while at < len(data):
+        channel = int.from_bytes(data[at + 20:at + 24], "big")
+        length = int.from_bytes(data[at + 24:at + 28], "big")
+        found.append((data[at + 28:at + 28 + channel], data[at + 28 + channel:at + 28 + channel + length]))
+        at += 28 + channel + length
+    return found
