@@ -2,6 +2,7 @@
 import os
 import random
 import signal
+import time
 
 import pytest
 import yaml
@@ -112,8 +113,16 @@ def test_one_more_view_is_added_by_its_name(nowhere, tmp_path):
 
     output("xdotool", "key", "--delay", "0", "ctrl+shift+a", *"console", "Return")
     wait_for(lambda: arranged.kept()["arrangement"]["added"].get("console") == "console", what="a console")
-    output("xdotool", "sleep", "1", "type", "--delay", "30", 'perspective("Map")\n')
-    wait_for(lambda: arranged.kept().get("perspective") == "Map", what="what was typed into it")
+    # The line is kept before the view is there: what is typed until then goes elsewhere, and is typed again.
+    wait_for(lambda: typed(arranged, 'perspective("Map")\n'), what="what was typed into it")
+
+
+def typed(arranged, line):
+    output("xdotool", "sleep", "1", "type", "--delay", "30", line)
+    end = time.monotonic() + 4
+    while arranged.kept().get("perspective") != "Map" and time.monotonic() < end:
+        time.sleep(0.1)
+    return arranged.kept().get("perspective") == "Map"
 
 
 def test_whenever_it_is_killed_it_starts_with_a_layout_that_was(nowhere, tmp_path):

@@ -52,7 +52,8 @@ class RosbridgeRficTest {
 
   @Test
   void whatTheBridgeDoesForItsClientsIsNoPort() {
-    await(() -> context.streams.keySet().containsAll(List.of("odom", "scan")));
+    await(() -> context.streams.keySet().containsAll(List.of("odom", "scan"))
+        && context.commands.containsKey("cmd_vel"));
     assertEquals(List.of("cmd_vel"), context.commands.keySet().stream().filter("cmd_vel"::equals).toList());
     assertTrue(!context.streams.containsKey("cmd_vel") && !context.commands.containsKey("odom"));
   }
