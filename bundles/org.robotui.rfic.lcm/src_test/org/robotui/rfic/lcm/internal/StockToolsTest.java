@@ -88,7 +88,7 @@ class StockToolsTest {
 
   @AfterEach
   void closeAll() throws Exception {
-    if (rfic != null) {                                     // a test that is skipped opens none
+    if (rfic != null) { // a test that is skipped opens none
       rfic.close();
     }
     await(() -> context.alive().isEmpty());

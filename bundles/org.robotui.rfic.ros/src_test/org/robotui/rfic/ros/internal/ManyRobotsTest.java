@@ -32,7 +32,10 @@ class ManyRobotsTest extends RosRficCase {
   private static final Duration SLOW = Duration.ofMillis(800);
   /** Two seconds are allowed; the rest is for machines that others use as well. One after the other they take 40 s. */
   private static final Duration END = Duration.ofSeconds(10);
-  /** Of fifty: those that a master had not heard when their time was over, on such machines; the next start removes them. */
+  /**
+   * Of fifty: those that a master had not heard when their time was over, on such machines; the next start removes
+   * them.
+   */
   private static final int FEW = 5;
   private static final List<String> VALUES = List.of("odom", "battery", "task", "joints");
 
