@@ -25,8 +25,8 @@ package_all() {
     single_file "$1" "robotui-$kind-$PLATFORM"
   done
   if command -v dpkg-deb >/dev/null; then
-    deb "$1" workbench robotui robotui-headless
-    deb "$1" headless robotui-headless robotui
+    deb "$1" workbench robotui robotui-headless amd64
+    deb "$1" headless robotui-headless robotui amd64 arm64
   else
     say "No packages of Debian are made: dpkg-deb is not installed."
   fi
@@ -42,14 +42,18 @@ single_file() {
   chmod 755 "$file"
 }
 
-# deb FOLDER KIND PACKAGE OTHER: of the archive of that kind. The two packages have files of the same names.
+# deb FOLDER KIND PACKAGE OTHER ARCHITECTURE...: of the archive of that kind. The two packages have files of the same names. One without a window has the same
+# files for all architectures: native code that is for another one is never loaded.
 deb() {
-  local folder=$1 kind=$2 package=$3 other=$4 work version
+  local folder=$1 kind=$2 package=$3 other=$4 work version architecture
+  shift 4
   work=$(mktemp -d)
   deb_files "$folder/robotui-$kind-$PLATFORM.tar.gz" "$work/root" "$package"
   version=$(deb_version "$work/root/usr/lib/robotui")
-  deb_control "$work/root" "$kind" "$package" "$other" "$version"
-  dpkg-deb --root-owner-group -Zgzip -z4 --build "$work/root" "$folder/${package}_${version}_amd64.deb" >/dev/null || fail "$package could not be packed"
+  for architecture in "$@"; do
+    deb_control "$work/root" "$kind" "$package" "$other" "$version" "$architecture"
+    dpkg-deb --root-owner-group -Zgzip -z4 --build "$work/root" "$folder/${package}_${version}_$architecture.deb" >/dev/null || fail "$package could not be packed"
+  done
   rm -rf "$work"
 }
 
@@ -72,7 +76,7 @@ deb_files() {
   chmod -R u=rwX,go=rX "$2"
 }
 
-# deb_control ROOT KIND PACKAGE OTHER VERSION
+# deb_control ROOT KIND PACKAGE OTHER VERSION ARCHITECTURE
 deb_control() {
   local depends='' summary='workbench for robots of any framework, without a window'
   local long='This is the product without a window: views in a terminal, and lines of JSON.'
@@ -82,7 +86,7 @@ deb_control() {
     long='Maps, 3D scenes, cameras, plots, joints and alerts in windows; a terminal will do.'
   fi
   mkdir -p "$1/DEBIAN"
-  sed -e "s,@PACKAGE@,$3," -e "s,@OTHER@,$4," -e "s,@VERSION@,$5," -e 's,@ARCHITECTURE@,amd64,' -e "s,@MAINTAINER@,$(maintainer)," \
+  sed -e "s,@PACKAGE@,$3," -e "s,@OTHER@,$4," -e "s,@VERSION@,$5," -e "s,@ARCHITECTURE@,$6," -e "s,@MAINTAINER@,$(maintainer)," \
     -e "s,@SIZE@,$(du -sk --exclude=DEBIAN "$1" | cut -f 1)," -e "s/@DEPENDS@/$depends/" -e "s/@SUMMARY@/$summary/" -e "s/@LONG@/$long/" \
     "$ROOT/releng/deb/control.in" >"$1/DEBIAN/control"
   install -m 755 "$ROOT/releng/deb/postrm" "$1/DEBIAN/postrm"

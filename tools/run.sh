@@ -1,6 +1,7 @@
 # Running the workbench, or its headless sister, with a simulated robot beside it where the configuration asks for one.
 
 readonly LIVE_SECONDS=8
+readonly WINDOW_MACHINE=x86_64    # the toolkit of the window is brought for no other (docs/packages.md)
 readonly DEFAULT_CONFIG=$ROOT/configs/natalie-keira.yaml
 
 cmd_run() {
@@ -168,6 +169,11 @@ mode_for_display() {
   fi
   if [[ $mode == window ]] && ! has_window; then
     [[ -z $screenshot ]] || { say "robotui: this RobotUI has no window that could have a screenshot"; return 1; }
+    mode=text
+  fi
+  if [[ $mode == window && $(uname -m) != "$WINDOW_MACHINE" ]]; then
+    [[ -z $screenshot ]] || { say "robotui: the window is for $WINDOW_MACHINE, and this machine is $(uname -m): it has no screenshot"; return 1; }
+    say "The window is for $WINDOW_MACHINE, and this machine is $(uname -m), so this is the text view."
     mode=text
   fi
   if [[ $mode == window && -z ${DISPLAY:-}${WAYLAND_DISPLAY:-} ]]; then

@@ -153,6 +153,23 @@ def test_a_package_of_debian_puts_everything_where_it_belongs(packed, tmp_path):
     subprocess.run(["md5sum", "--quiet", "--check", "md5sums"], cwd=root, check=True)
 
 
+@pytest.mark.skipif(not shutil.which("dpkg-deb"), reason="dpkg-deb is not installed")
+def test_the_product_without_a_window_has_a_package_for_the_computers_of_robots(packed):
+    made = sorted(deb.name for deb in packed.glob("*.deb"))
+    (for_arm,) = packed.glob("robotui-headless_*_arm64.deb")
+    control = subprocess.run(["dpkg-deb", "--info", for_arm], capture_output=True, text=True, check=True).stdout
+
+    assert [name.rpartition("_")[2] for name in made] == ["amd64.deb", "arm64.deb", "amd64.deb"], made
+    assert "Architecture: arm64\n" in control and "libgtk" not in control, control
+
+
+def test_a_machine_for_which_there_is_no_window_gets_the_text_view():
+    said = shell("say", "run", then="uname() { echo aarch64; }\nmode_for_display window ''\nmode_for_display window picture.png", ROOT=str(ROOT), DISPLAY=":0")
+
+    assert said.stdout == "text" and said.returncode == 1
+    assert "this machine is aarch64, so this is the text view" in said.stderr and "no screenshot" in said.stderr
+
+
 def test_a_single_file_unpacks_itself_once_and_hands_on_what_it_is_asked_for(packed, tmp_path):
     file, cache = packed / "robotui-workbench-linux.gtk.x86_64.run", tmp_path / "Zwischen Lager"
 
