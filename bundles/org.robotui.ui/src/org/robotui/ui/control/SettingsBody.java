@@ -138,7 +138,8 @@ final class SettingsBody {
     list.ifPresent(many -> {
       int at = many.nodes().indexOf(node);
       if (isNamed(many)) {
-        menu.push("Rename\u2026", () -> name(many, "New name", node.name()).ifPresent(n -> change(node, () -> node.rename(n))));
+        menu.push("Rename\u2026", () -> name(many, "New name", node.name())
+            .ifPresent(n -> change(node, () -> node.rename(n))));
       }
       menu.push("Move Up", at > 0, () -> change(node, () -> many.move(node, -1)));
       menu.push("Move Down", at < many.nodes().size() - 1, () -> change(node, () -> many.move(node, 1)));
@@ -193,7 +194,7 @@ final class SettingsBody {
 
   /** Groups among items are closed, as each has many fields. */
   private boolean isOpen(SettingNode node, int depth) {
-    boolean first = node.shape() instanceof SettingShape.Many many ? nodes.size() == 1 || !node.nodes().isEmpty()
+    boolean first = node.shape() instanceof SettingShape.Many ? nodes.size() == 1 || !node.nodes().isEmpty()
         : depth == 0 && node.value().isPresent();
     return first != turned.contains(node);
   }

@@ -78,7 +78,7 @@ record RuicGroups(Registry registry, SettingsCheck check, WrittenText written, P
 
   private static Schema schema(Schema fixed, Optional<? extends ComponentType> type) {
     return new Schema(Stream.concat(fixed.settings().stream(),
-        type.map(t -> t.schema().settings()).orElse(List.of()).stream()).toList());
+        type.map(t -> t.choices().settings()).orElse(List.of()).stream()).toList());
   }
 
   /** The ports of all views, and what is written beside them: some ports are there only while a view runs. */
