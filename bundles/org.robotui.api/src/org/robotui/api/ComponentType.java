@@ -55,8 +55,8 @@ public interface ComponentType {
   }
 
   /**
-   * The same for forms, with what there is to choose from at present, such as kinds of layers that are installed. What it
-   * allows is what {@link #schema()} allows. May start what is installed, and is called on a worker.
+   * The same for forms, with what there is to choose from at present, such as kinds of layers that are installed. What
+   * it allows is what {@link #schema()} allows. May start what is installed, and is called on a worker.
    *
    * @return {@link #schema()} where nothing is to be chosen
    */

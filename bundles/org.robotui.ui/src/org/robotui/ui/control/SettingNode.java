@@ -12,8 +12,8 @@ import java.util.function.BiFunction;
 import org.robotui.api.config.Setting;
 
 /**
- * What a user gives to one setting, with all that is within it: a line, a group with its members, or many items. What is
- * blank is left to the component. Display thread.
+ * What a user gives to one setting, with all that is within it: a line, a group with its members, or many items. What
+ * is blank is left to the component. Display thread.
  */
 final class SettingNode {
   private final Setting setting;

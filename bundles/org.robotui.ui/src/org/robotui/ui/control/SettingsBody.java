@@ -17,8 +17,8 @@ import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 
 /**
- * Makes the widgets of settings, of what is open only. They are made anew when a group opens or closes, or an item comes,
- * goes or moves. Display thread.
+ * Makes the widgets of settings, of what is open only. They are made anew when a group opens or closes, or an item
+ * comes, goes or moves. Display thread.
  */
 final class SettingsBody {
   private final Composite root;

@@ -15,9 +15,9 @@ import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 
 /**
- * A form made from what a component can be configured with, with groups, lists and names with values, whose items can be
- * added, renamed, moved and removed. What is left blank is left to the component, which is shown in pale; what is wrong
- * is said below the field while it is typed. Display thread only.
+ * A form made from what a component can be configured with, with groups, lists and names with values, whose items can
+ * be added, renamed, moved and removed. What is left blank is left to the component, which is shown in pale; what is
+ * wrong is said below the field while it is typed. Display thread only.
  */
 public final class SettingsForm {
   private final ScrolledComposite scrolled;
@@ -65,7 +65,8 @@ public final class SettingsForm {
    */
   public void show(Schema schema, Map<String, Object> values) {
     settings =
-        schema.settings().stream().map(s -> SettingNode.of(s, Optional.ofNullable(values.get(s.name())), check)).toList();
+        schema.settings().stream().map(s -> SettingNode.of(s, Optional.ofNullable(values.get(s.name())), check))
+            .toList();
     scrolled.setRedraw(false);
     body.show(settings);
     scrolled.setRedraw(true);
@@ -74,8 +75,8 @@ public final class SettingsForm {
   }
 
   /**
-   * What is given: Boolean, String, List or Map by name, in the order of the schema; a number where texts are possible as
-   * well.
+   * What is given: Boolean, String, List or Map by name, in the order of the schema; a number where texts are possible
+   * as well.
    *
    * @return what is blank is absent; also what is wrong is there, as typed
    */

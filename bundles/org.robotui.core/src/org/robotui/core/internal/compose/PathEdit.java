@@ -140,7 +140,8 @@ final class PathEdit {
     if (entry.isEmpty()) {
       return text.text();
     }
-    boolean alone = at instanceof MappingNode m && (m.getFlowStyle() == FlowStyle.FLOW || patch.beginsLine(entry.get()));
+    boolean alone =
+        at instanceof MappingNode m && (m.getFlowStyle() == FlowStyle.FLOW || patch.beginsLine(entry.get()));
     return alone ? patch.without(section(at), entry.get())
         : ItemSpans.of(text, at).without(at instanceof MappingNode m ? m.getValue().indexOf(entry.get())
             : Integer.parseInt(path.getLast()));

@@ -89,7 +89,10 @@ record TextPatch(MarkedText marked) {
     return marked.text().substring(marked.lineBegin(begin), begin).isBlank();
   }
 
-  /** Without a name that begins its line or stands in braces, and its value; comments beside them get lines of their own. */
+  /**
+   * Without a name that begins its line or stands in braces, and its value; comments beside them get lines of their
+   * own.
+   */
   String without(MappingNode within, NodeTuple entry) throws PathEdit.Refusal {
     int begin = marked.begin(entry.getKeyNode());
     int end = marked.end(entry);

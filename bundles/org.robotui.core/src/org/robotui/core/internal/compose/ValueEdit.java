@@ -13,8 +13,8 @@ import org.robotui.api.config.ValueType;
 import org.robotui.api.host.SettingsGroup;
 
 /**
- * Changes a value with all that is within it, item by item, so that what is the same stays as it is written. Which items
- * were renamed, moved or changed is found by comparing.
+ * Changes a value with all that is within it, item by item, so that what is the same stays as it is written. Which
+ * items were renamed, moved or changed is found by comparing.
  *
  * @param path where the value stands
  */

@@ -18,8 +18,8 @@ import org.robotui.data.command.Motion;
 import org.robotui.data.command.VelocityCommand;
 
 /**
- * What users send to robots of which they have control: goals and other commands one by one, motion from its begin to its
- * end. Both as they went out, within the limits. One thread.
+ * What users send to robots of which they have control: goals and other commands one by one, motion from its begin to
+ * its end. Both as they went out, within the limits. One thread.
  */
 final class CommandWatch {
   /**

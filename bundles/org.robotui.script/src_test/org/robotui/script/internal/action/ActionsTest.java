@@ -186,7 +186,8 @@ class ActionsTest {
     natalie.authority().take(YOU, false);
     natalie.sending(GOAL, goal);
     List<String> lines = lines(sent.next(2));
-    assertTrue(lines.getFirst().startsWith("send(\"base.goal\", {frame: \"map\", pose: {translation: {x: 2"), lines::toString);
+    assertTrue(lines.getFirst().startsWith("send(\"base.goal\", {frame: \"map\", pose: {translation: {x: 2"),
+        lines::toString);
     assertTrue(lines.getFirst().endsWith(", 1, \"Natalie\");"), lines::toString);
     assertEquals(List.of(), sent.next(3), "once");
     natalie.authority().giveBack(YOU);
@@ -211,7 +212,8 @@ class ActionsTest {
     assertEquals(0.6, done.seconds(), 1e-9);
     natalie.authority().giveBack(YOU);
     console.run("takeControl(); " + done.line());
-    assertTrue(natalie.ports().commands().contains(VelocityCommand.planar(0.3, 0.5)), () -> natalie.ports().commands().toString());
+    assertTrue(natalie.ports().commands().contains(VelocityCommand.planar(0.3, 0.5)),
+        () -> natalie.ports().commands().toString());
     assertEquals(VelocityCommand.ZERO, natalie.ports().commands().getLast());
   }
 

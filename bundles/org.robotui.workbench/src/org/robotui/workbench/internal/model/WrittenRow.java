@@ -45,7 +45,8 @@ public record WrittenRow(SettingsGroup group, String what, String kind) {
   /** Whose settings they are, and where they stand. */
   public String heading() {
     String own = what.strip();
-    return (own.equals(group.ruic()) || group.ruic().isEmpty() ? own : group.ruic() + "  \u00b7  " + own) + "  \u00b7  " + place();
+    return (own.equals(group.ruic()) || group.ruic().isEmpty() ? own : group.ruic() + "  \u00b7  " + own) + "  \u00b7  "
+        + place();
   }
 
   /** File and line, the file by its name alone. */

@@ -94,13 +94,15 @@ public final class WelcomePane extends Composite {
 
   private void robots(Actions actions) {
     heading("A ROBOT");
-    first = begin(new Beginning(Icon.PLAY, "Start the Demo", "Simulated robots, in a window of their own", actions::demo));
+    first =
+        begin(new Beginning(Icon.PLAY, "Start the Demo", "Simulated robots, in a window of their own", actions::demo));
     begin(new Beginning(Icon.LINK, "Connect to a Robot\u2026", "Finds out what it offers and writes its configuration",
         actions::create));
     begin(new Beginning(Icon.LAYERS, "Open Configuration\u2026", "A file that says which robots and views there are",
         actions::open));
-    begin(new Beginning(Icon.LOOP, "Open Recording\u2026", "MCAP, bags of ROS and logs of other frameworks, played back",
-        actions::recording));
+    begin(
+        new Beginning(Icon.LOOP, "Open Recording\u2026", "MCAP, bags of ROS and logs of other frameworks, played back",
+            actions::recording));
   }
 
   private static Icon icon(Path file) {
@@ -123,7 +125,8 @@ public final class WelcomePane extends Composite {
     line.setLayoutData(Boxes.line());
     ((GridLayout) line.getLayout()).horizontalSpacing = Theme.EDGE;
     QuietButton button =
-        new QuietButton(line, theme, what.action()).icon(what.icon()).text(what.label()).checked(true).hint(what.help());
+        new QuietButton(line, theme, what.action()).icon(what.icon()).text(what.label()).checked(true)
+            .hint(what.help());
     GridData width = Boxes.middle();
     width.widthHint = LABEL;
     button.setLayoutData(width);
