@@ -55,6 +55,16 @@ public interface ComponentType {
   }
 
   /**
+   * The same for forms, with what there is to choose from at present, such as kinds of layers that are installed. What
+   * it allows is what {@link #schema()} allows. May start what is installed, and is called on a worker.
+   *
+   * @return {@link #schema()} where nothing is to be chosen
+   */
+  default Schema choices() {
+    return schema();
+  }
+
+  /**
    * Judges settings that fit the schema: what the schema cannot say, such as whether the files that they name are
    * there. May read files, and is called on a worker whenever a configuration is read.
    *

@@ -91,6 +91,16 @@ public interface RuicView {
   Optional<Envelope<?>> newest(SourceId port);
 
   /**
+   * The newest command that went out to a robot, whoever gave it, as its limits have it.
+   *
+   * @param port a command port of a robot interface
+   * @return the command; none before the first, or where there is no such port
+   */
+  default Optional<Envelope<?>> sent(SourceId port) {
+    return Optional.empty();
+  }
+
+  /**
    * Has transforms forgotten, but for fixed ones, and what its views collected over time, as when the clock jumps back.
    * What robots say but once, such as a map, stays.
    */

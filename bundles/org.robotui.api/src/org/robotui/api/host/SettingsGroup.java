@@ -5,7 +5,9 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import org.robotui.api.config.Schema;
+import org.robotui.api.config.Setting;
 
 /**
  * Settings that stand together in a configuration file, or could.
@@ -35,7 +37,9 @@ public record SettingsGroup(Part part, String ruic, String id, String title, Str
     /** Which port goes where; taken up at once. */
     CONNECTIONS,
     /** How a robot is kept safe; taken up at once. */
-    SAFETY
+    SAFETY,
+    /** Of the whole file: what is carried between its robots; taken up at once. Its robot UI has no name. */
+    BRIDGES
   }
 
   /**
@@ -56,5 +60,26 @@ public record SettingsGroup(Part part, String ruic, String id, String title, Str
   public SettingsGroup {
     path = List.copyOf(path);
     values = Collections.unmodifiableMap(new LinkedHashMap<>(values));
+  }
+
+  /**
+   * Which settings are others than the file says, also those that are absent in one of both.
+   *
+   * @param others values by name
+   * @return the names of settings of the schema, in its order
+   */
+  public List<String> changed(Map<String, Object> others) {
+    return schema.settings().stream().map(Setting::name).filter(n -> !isSame(values.get(n), others.get(n))).toList();
+  }
+
+  /**
+   * Whether two values are written in the same way: maps have an order as well.
+   *
+   * @param one a value, or null for none
+   * @param other another one
+   * @return whether there is no difference
+   */
+  public static boolean isSame(Object one, Object other) {
+    return Objects.equals(one, other) && Objects.toString(one).equals(Objects.toString(other));
   }
 }

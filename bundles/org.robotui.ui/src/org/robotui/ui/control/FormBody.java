@@ -139,10 +139,10 @@ final class FormBody {
 
   private boolean head(FormNode node, int depth, String words, Optional<Runnable> remove) {
     boolean open = isOpen(node, depth);
-    Composite line = cells.head(depth, node, open, remove.isPresent() ? 3 : 2, () -> {
+    Composite line = cells.head(depth, node.name(), node.path(), open, remove.isPresent() ? 3 : 2, () -> {
       turn(node.path());
       build();
-    });
+    }).getParent();
     cells.note(line, words);
     remove.ifPresent(action -> cells.button(line, Icon.CLOSE, "Remove " + node.path(), action));
     return open;

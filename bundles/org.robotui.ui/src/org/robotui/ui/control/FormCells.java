@@ -52,17 +52,17 @@ final class FormCells {
    * A name with a sign that opens and closes what is within: over the whole width, so that it takes none from what is
    * typed.
    */
-  Composite head(int depth, FormNode node, boolean open, int columns, Runnable turn) {
+  QuietButton head(int depth, String name, String path, boolean open, int columns, Runnable turn) {
     Composite line = part(root);
     line.setLayout(layout(columns));
     ((GridData) line.getLayoutData()).horizontalSpan = 2;
-    QuietButton button = new QuietButton(line, theme, turn).icon(open ? Icon.OPEN : Icon.CLOSED).text(node.name())
-        .hint((open ? "Close " : "Open ") + node.path());
+    QuietButton button = new QuietButton(line, theme, turn).icon(open ? Icon.OPEN : Icon.CLOSED).text(name)
+        .hint((open ? "Close " : "Open ") + path);
     GridData data = new GridData(SWT.BEGINNING, SWT.CENTER, false, false);
     data.horizontalIndent = depth * STEP_IN;
     data.heightHint = ROW;
     button.setLayoutData(data);
-    return line;
+    return button;
   }
 
   /** The right cell of a line. */
@@ -80,9 +80,13 @@ final class FormCells {
   }
 
   void note(Composite line, String words) {
+    note(line, words, Role.DIM);
+  }
+
+  void note(Composite line, String words, Role role) {
     PaintedCanvas canvas = new PaintedCanvas(line, theme, (gc, area) -> {
       gc.setFont(theme.font(Face.SMALL));
-      gc.setForeground(theme.color(Role.DIM));
+      gc.setForeground(theme.color(role));
       gc.drawText(TextFit.shorten(gc, words, area.width), 0, (area.height - gc.textExtent("X").y) / 2, true);
     });
     canvas.setToolTipText(words.replace("&", "&&"));

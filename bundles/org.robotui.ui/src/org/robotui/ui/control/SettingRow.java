@@ -10,8 +10,8 @@ import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 import org.eclipse.swt.widgets.Label;
 import org.eclipse.swt.widgets.Text;
-import org.robotui.api.config.ValueType;
 import org.robotui.ui.Face;
+import org.robotui.ui.Icon;
 import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 
@@ -21,15 +21,17 @@ final class SettingRow {
 
   private final Composite editor;
   private final Theme theme;
+  private final SettingNode node;
   private final SettingValue value;
   private final Runnable changed;
   private final Label note;
   private final Control input;
 
-  SettingRow(Composite editor, Theme theme, SettingValue value, Runnable changed) {
+  SettingRow(Composite editor, Theme theme, SettingNode node, Runnable changed) {
+    this.node = node;
+    this.value = node.line();
     this.editor = editor;
     this.theme = theme;
-    this.value = value;
     this.changed = changed;
     GridLayout layout = new GridLayout(1, false);
     layout.marginWidth = 0;
@@ -43,19 +45,7 @@ final class SettingRow {
   }
 
   private Control input() {
-    if (!value.canBeTyped()) {
-      Label only = new PlainLabel(editor, SWT.NONE, theme, Face.BODY, Role.DIM);
-      only.setText(value.value().isPresent() ? "as written in the file" : "can only be written in the file");
-      GridData beside = wide();
-      beside.verticalIndent = Theme.STEP;
-      only.setLayoutData(beside);
-      return only;
-    }
-    return switch (value.setting().type()) {
-      case ValueType.Flag f -> flag();
-      case ValueType.Choice c -> choice(c.words());
-      default -> text();
-    };
+    return value.isFlag() ? flag() : value.isChoice() ? choice(value.words()) : text();
   }
 
   void focus() {
@@ -87,7 +77,8 @@ final class SettingRow {
   }
 
   private String shown() {
-    return value.value().map(Object::toString).orElse(value.fallback() + "  (usual)");
+    return value.value().map(Object::toString)
+        .orElse(value.setting().required() ? value.fallback() : value.fallback() + "  (usual)");
   }
 
   private void choose(ChoiceField field, List<String> words) {
@@ -95,8 +86,10 @@ final class SettingRow {
     List<Optional<Object>> choices = new ArrayList<>();
     words.forEach(w -> choices.add(Optional.of(w)));
     choices.forEach(c -> menu.radio(c.map(Object::toString).orElse(""), c.equals(value.value()), () -> take(field, c)));
-    menu.line();
-    menu.push("As usual: " + value.fallback(), () -> take(field, Optional.empty()));
+    if (!value.setting().required()) {
+      menu.line();
+      menu.push("As usual: " + value.fallback(), () -> take(field, Optional.empty()));
+    }
     menu.openBelow(field.control());
   }
 
@@ -107,7 +100,8 @@ final class SettingRow {
   }
 
   private Control text() {
-    Composite well = Well.in(editor, theme);
+    Composite line = value.words().isEmpty() ? editor : Boxes.panel(editor, theme, 2);
+    Composite well = Well.in(line, theme);
     well.setLayoutData(high());
     Text text = new Text(well, SWT.SINGLE);
     text.setLayoutData(new GridData(SWT.FILL, SWT.CENTER, true, true));
@@ -121,7 +115,24 @@ final class SettingRow {
       value.type(text.getText());
       changed();
     });
+    if (line != editor) {
+      line.setLayoutData(wide());
+      suggestions(line, text);
+    }
     return text;
+  }
+
+  /** Words that may be meant; any other can be typed. */
+  private void suggestions(Composite line, Text text) {
+    QuietButton[] button = new QuietButton[1];
+    button[0] = new QuietButton(line, theme, () -> {
+      PopupMenu menu = new PopupMenu(button[0]);
+      value.words().forEach(w -> menu.radio(w, w.equals(text.getText()), () -> text.setText(w)));
+      menu.openBelow(button[0]);
+    }).icon(Icon.OPEN).hint("Choose " + value.setting().name());
+    GridData end = new GridData(SWT.END, SWT.CENTER, false, false);
+    end.heightHint = FormCells.ROW;
+    button[0].setLayoutData(end);
   }
 
   private void changed() {
@@ -130,9 +141,10 @@ final class SettingRow {
   }
 
   private void tell() {
-    Optional<String> problem = value.problem();
+    Optional<String> problem = node.problem();
     note.setForeground(theme.color(problem.isPresent() ? Role.BAD : Role.DIM));
-    note.setText(problem.orElse(value.setting().help()).replace("&", "&&"));
+    note.setText(problem.orElse(node.isItem() ? "" : value.setting().help()).replace("&", "&&"));
+    Boxes.seen(note, !note.getText().isEmpty());
     editor.requestLayout();
   }
 

@@ -1,10 +1,12 @@
 package org.robotui.ui.control;
 
+import java.math.BigDecimal;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.robotui.api.config.Setting;
 import org.robotui.api.config.ValueType;
 
@@ -35,11 +37,28 @@ final class SettingValue {
   /** Takes what was typed: nothing for blanks, several for what commas part where several are possible. */
   void type(String words) {
     String bare = words.strip();
-    boolean several = takesList() && (bare.contains(",") || setting.type() instanceof ValueType.ListOf);
+    boolean several = takes(ValueType.ListOf.class)
+        && (bare.contains(",") || alternatives().allMatch(ValueType.ListOf.class::isInstance));
     value = bare.isEmpty() ? Optional.empty()
         : Optional
             .of(several ? (Object) Arrays.stream(bare.split(",")).map(String::strip).filter(s -> !s.isEmpty()).toList()
-                : bare);
+                : plain(bare));
+  }
+
+  /** Where texts and others are possible, a truth value or a number is meant as such. */
+  private Object plain(String bare) {
+    boolean mixed = takes(ValueType.Text.class);
+    if (mixed && takes(ValueType.Flag.class) && (bare.equals("true") || bare.equals("false"))) {
+      return Boolean.valueOf(bare);
+    }
+    if (mixed && (takes(ValueType.Num.class) || takes(ValueType.Int.class))) {
+      try {
+        return new BigDecimal(bare);
+      } catch (NumberFormatException e) {
+        return bare;
+      }
+    }
+    return bare;
   }
 
   /** What is wrong with it, as the end of a sentence that begins with its name. */
@@ -51,21 +70,27 @@ final class SettingValue {
     return check.apply(setting, value.get());
   }
 
-  /** Groups and maps have no line of their own that could be typed. */
-  boolean canBeTyped() {
-    return switch (setting.type()) {
-      case ValueType.Section s -> false;
-      case ValueType.MapOf m -> false;
-      case ValueType.ListOf l -> l.element() instanceof ValueType.Text;
-      case ValueType.AnyOf a -> a.alternatives().stream().anyMatch(ValueType.Text.class::isInstance);
-      default -> true;
-    };
+  /** Words that can be chosen. */
+  List<String> words() {
+    return alternatives().filter(ValueType.Choice.class::isInstance).map(ValueType.Choice.class::cast)
+        .flatMap(c -> c.words().stream()).distinct().toList();
   }
 
-  private boolean takesList() {
-    return setting.type() instanceof ValueType.ListOf
-        || setting.type() instanceof ValueType.AnyOf a
-            && a.alternatives().stream().anyMatch(ValueType.ListOf.class::isInstance);
+  /** Whether nothing else than these words is possible. */
+  boolean isChoice() {
+    return alternatives().allMatch(ValueType.Choice.class::isInstance);
+  }
+
+  boolean isFlag() {
+    return alternatives().allMatch(ValueType.Flag.class::isInstance);
+  }
+
+  private boolean takes(Class<? extends ValueType> type) {
+    return alternatives().anyMatch(type::isInstance);
+  }
+
+  private Stream<ValueType> alternatives() {
+    return SettingShape.flat(setting.type());
   }
 
   String text() {

@@ -39,9 +39,23 @@ public final class DisplayEntry {
    * @return a list of groups
    */
   public static ValueType list(String noun, String example) {
+    return list(noun, example, List.of());
+  }
+
+  /**
+   * The same with kinds to choose from; others may be written, as they may be installed later.
+   *
+   * @param noun what one is called, for example {@code display}
+   * @param example of a kind, for example {@code laserscan}
+   * @param kinds the words of those that there are
+   * @return a list of groups
+   */
+  public static ValueType list(String noun, String example, List<String> kinds) {
     TextRule kind = TextRule.matching("the kind of a " + noun + ", such as " + example, "[a-z][a-z0-9_]{0,99}");
+    ValueType written = kinds.isEmpty() ? new ValueType.Text(kind)
+        : new ValueType.AnyOf(List.of(new ValueType.Text(kind), new ValueType.Choice(kinds)));
     return new ValueType.ListOf(new ValueType.Section(Schema.of(
-        Setting.required(TYPE, new ValueType.Text(kind), "The kind of the " + noun + ", for example " + example + "."),
+        Setting.required(TYPE, written, "The kind of the " + noun + ", for example " + example + "."),
         Setting.optional(ID, new ValueType.Text(),
             "Tells " + noun + "s apart where names change; written by the view."),
         Setting.optional(NAME, new ValueType.Text(), "Its name in the list; without, that of its kind."),

@@ -23,6 +23,7 @@ import org.robotui.workbench.internal.keys.KeyStore;
 import org.robotui.workbench.internal.keys.KeysFile;
 import org.robotui.workbench.internal.model.Alerts;
 import org.robotui.workbench.internal.model.Overview;
+import org.robotui.workbench.internal.model.RecentFiles;
 import org.robotui.workbench.internal.model.Stops;
 import org.robotui.workbench.internal.model.WindowModel;
 import org.robotui.workbench.internal.model.Windows;
@@ -53,6 +54,7 @@ public final class WorkbenchSession {
   private final List<Runnable> loaders = new CopyOnWriteArrayList<>();
   private final Map<String, WindowModel> awaited = new HashMap<>();
   private final Configurations configurations;
+  private final RecentFiles recent;
   private final Alerts alerts = new Alerts(System::nanoTime);
   private final KeyStore keys;
   private final LiveTimeline timeline = new LiveTimeline(this::later);
@@ -82,6 +84,7 @@ public final class WorkbenchSession {
     this.display = display;
     this.arguments = arguments;
     this.state = state;
+    recent = new RecentFiles(state);
     this.look = look;
     keys = new KeyStore(new KeysFile(state.folder().resolve("keys.yaml")), damage -> alerts.tell("", damage));
     windows = new Windows(host);
@@ -178,6 +181,11 @@ public final class WorkbenchSession {
   /** What the windows show. */
   public Windows windows() {
     return windows;
+  }
+
+  /** What was opened last. */
+  public RecentFiles recent() {
+    return recent;
   }
 
   /** Reads configurations. */
@@ -297,6 +305,9 @@ public final class WorkbenchSession {
   }
 
   private void loaded(Path file, List<Problem> problems) {
+    if (problems.stream().noneMatch(p -> p.severity() == Problem.Severity.ERROR)) {
+      recent.add(file);
+    }
     windows.ruicsChanged();
     models.values().stream().filter(m -> m.selected().isEmpty()).findFirst().ifPresent(windows::fill);
     refresh();

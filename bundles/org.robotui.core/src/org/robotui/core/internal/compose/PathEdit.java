@@ -46,8 +46,8 @@ final class PathEdit {
   private final List<String> path;
   private final TextPatch patch;
 
-  private PathEdit(String text, List<String> path) {
-    this.text = new MarkedText(text);
+  private PathEdit(MarkedText text, List<String> path) {
+    this.text = text;
     this.path = path;
     this.patch = new TextPatch(this.text);
   }
@@ -58,13 +58,13 @@ final class PathEdit {
     List<String> items = value instanceof List<?> list
         ? list.stream().map(v -> YamlWords.value(v, YamlWords.element(type))).toList()
         : List.of();
-    PathEdit edit = new PathEdit(text, path);
+    PathEdit edit = new PathEdit(new MarkedText(text), path);
     return edit.checked(Optional.of(word), edit.set(word, items));
   }
 
   /** The text without the value at a path; the same where there is none. */
   static String remove(String text, List<String> path) throws Refusal {
-    PathEdit edit = new PathEdit(text, path);
+    PathEdit edit = new PathEdit(new MarkedText(text), path);
     return edit.checked(Optional.empty(), edit.remove());
   }
 
@@ -82,22 +82,22 @@ final class PathEdit {
   }
 
   private String set(String word, List<String> items) throws Refusal {
-    MappingNode at = top();
+    CollectionNode<?> at = top();
     for (int depth = 0;; depth++) {
       Optional<NodeTuple> found = find(at, path.get(depth));
       List<String> rest = path.subList(depth + 1, path.size());
       if (found.isEmpty()) {
-        return patch.insert(at, path.subList(depth, path.size()), word);
+        return patch.insert(section(at), path.subList(depth, path.size()), word);
       }
       NodeTuple entry = found.get();
       Node value = entry.getValueNode();
       if (rest.isEmpty()) {
         return replaced(entry, word, items);
       }
-      if (value instanceof MappingNode section) {
-        at = section;
+      if (value instanceof CollectionNode<?> part) {
+        at = part;
       } else if (YamlTree.isNothing(value)) {
-        return patch.fill(at, entry, rest, word);
+        return patch.fill(section(at), entry, rest, word);
       } else if (depth == ID_DEPTH && COMPONENTS.contains(path.get(depth - 1))
           && value instanceof ScalarNode type) {
         return patch.replace(new MarkedText.Span(text.begin(type), text.end(type)),
@@ -120,21 +120,56 @@ final class PathEdit {
     if (value instanceof SequenceNode && block && !items.isEmpty()) {
       return patch.replace(span, patch.lines(items, value.getStartMark().getColumn()));
     }
+    if (entry.getKeyNode() == value && span.from() < span.to()) {
+      return patch.replace(span, word); // an item of a list
+    }
     return block || YamlTree.isNothing(value) && span.from() == span.to() ? patch.behindName(entry, word)
         : patch.replace(span, word);
   }
 
   private String remove() throws Refusal {
-    MappingNode at = top();
+    CollectionNode<?> at = top();
     for (String name : path.subList(0, path.size() - 1)) {
       Optional<Node> next = find(at, name).map(NodeTuple::getValueNode);
-      if (next.isEmpty() || !(next.get() instanceof MappingNode section)) {
+      if (next.isEmpty() || !(next.get() instanceof CollectionNode<?> part)) {
         return text.text();
       }
-      at = section;
+      at = part;
     }
     Optional<NodeTuple> entry = find(at, path.getLast());
-    return entry.isEmpty() ? text.text() : patch.without(at, entry.get());
+    if (entry.isEmpty()) {
+      return text.text();
+    }
+    boolean alone =
+        at instanceof MappingNode m && (m.getFlowStyle() == FlowStyle.FLOW || patch.beginsLine(entry.get()));
+    return alone ? patch.without(section(at), entry.get())
+        : ItemSpans.of(text, at).without(at instanceof MappingNode m ? m.getValue().indexOf(entry.get())
+            : Integer.parseInt(path.getLast()));
+  }
+
+  /** The list or section at a path, whose items are to be changed. */
+  static CollectionNode<?> items(MarkedText text, List<String> path) throws Refusal {
+    PathEdit edit = new PathEdit(text, path);
+    CollectionNode<?> at = edit.top();
+    for (String name : path) {
+      Optional<NodeTuple> found = edit.find(at, name);
+      if (found.isEmpty() || !(found.get().getValueNode() instanceof CollectionNode<?> part)
+          || part.getValue().isEmpty()) {
+        throw new Refusal(text.line(at), "there are no items in '" + name + "'");
+      }
+      at = part;
+    }
+    if (at instanceof MappingNode section) {
+      edit.find(section, ""); // refuses what a template may form
+    }
+    return at;
+  }
+
+  private MappingNode section(CollectionNode<?> at) throws Refusal {
+    if (at instanceof MappingNode section) {
+      return section;
+    }
+    throw new Refusal(text.line(at), "there is a list, which has not so many items");
   }
 
   private MappingNode top() throws Refusal {
@@ -145,14 +180,39 @@ final class PathEdit {
   }
 
   /** What the path leads to must stand there once, and mean itself only. */
-  private Optional<NodeTuple> find(MappingNode within, String name) throws Refusal {
+  private Optional<NodeTuple> find(CollectionNode<?> within, String name) throws Refusal {
+    return within instanceof SequenceNode list ? item(list, name) : entry(section(within), name);
+  }
+
+  private Optional<NodeTuple> item(SequenceNode list, String place) throws Refusal {
+    for (Node item : list.getValue()) {
+      if (isTemplate(item)) {
+        throw formed(item, place);
+      }
+    }
+    int index = Integer.parseInt(place);
+    if (index >= list.getValue().size()) {
+      return Optional.empty();
+    }
+    Node item = list.getValue().get(index);
+    if (text.begin(item) < text.begin(list) || item.getAnchor() != null) {
+      throw shared(item, place);
+    }
+    return Optional.of(new NodeTuple(item, item));
+  }
+
+  private Refusal shared(Node at, String name) {
+    return new Refusal(text.line(at), "'" + name + "' is shared by an anchor or an alias (& or *); change it with an"
+        + " editor");
+  }
+
+  private Optional<NodeTuple> entry(MappingNode within, String name) throws Refusal {
     for (NodeTuple entry : within.getValue()) {
       Node key = entry.getKeyNode();
       Node value = entry.getValueNode();
       boolean meant = key instanceof ScalarNode s && s.getValue().equals(name);
       if (meant && (text.begin(value) < text.begin(key) || value.getAnchor() != null)) {
-        throw new Refusal(text.line(key), "'" + name + "' is shared by an anchor or an alias (& or *); change it with"
-            + " an editor");
+        throw shared(key, name);
       }
       if (meant && isTemplate(value)) {
         throw formed(key, name);

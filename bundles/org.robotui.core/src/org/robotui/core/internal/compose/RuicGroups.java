@@ -6,9 +6,11 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.robotui.api.ComponentType;
+import org.robotui.api.bridge.BridgeWords;
 import org.robotui.api.config.Schema;
 import org.robotui.api.config.Setting;
 import org.robotui.api.config.ValueType;
@@ -31,10 +33,14 @@ import org.robotui.core.internal.life.Registry;
  * @param written what the file says
  * @param file the file
  * @param reading tells its text apart from a later one
+ * @param ports that are there
  */
-record RuicGroups(Registry registry, SettingsCheck check, WrittenText written, Path file, String reading) {
+record RuicGroups(Registry registry, SettingsCheck check, WrittenText written, Path file, String reading,
+    PortChoices ports) {
   private static final ValueType PEERS =
       new ValueType.AnyOf(List.of(new ValueType.Text(), new ValueType.ListOf(new ValueType.Text())));
+  private static final String BRIDGES = "bridges";
+  private static final Set<String> ENDS = Set.of("from", "to");
   private static final String PEER_HELP =
       "a port of an interface, such as base.scan, several with commas, or none; without it matching decides";
 
@@ -53,6 +59,14 @@ record RuicGroups(Registry registry, SettingsCheck check, WrittenText written, P
     return groups.stream();
   }
 
+  /** What the file can say of itself. */
+  SettingsGroup bridges() {
+    ValueType bridge = new ValueType.Section(ports.ends(BridgeWords.SCHEMA, ENDS));
+    Schema schema = Schema.of(Setting.optional(BRIDGES, new ValueType.MapOf(bridge),
+        "what one robot says, carried to the software of another one, by a name of your choice"));
+    return group(Part.BRIDGES, "", "", "Bridges", "", schema, List.of());
+  }
+
   private List<ComponentConfig> views(RuicConfig ruic) {
     return Plan.of(ruic, registry, check) instanceof Plan.Outcome.Made made ? made.plan().uics() : ruic.uics();
   }
@@ -64,31 +78,37 @@ record RuicGroups(Registry registry, SettingsCheck check, WrittenText written, P
 
   private static Schema schema(Schema fixed, Optional<? extends ComponentType> type) {
     return new Schema(Stream.concat(fixed.settings().stream(),
-        type.map(t -> t.schema().settings()).orElse(List.of()).stream()).toList());
+        type.map(t -> t.choices().settings()).orElse(List.of()).stream()).toList());
   }
 
   /** The ports of all views, and what is written beside them: some ports are there only while a view runs. */
   private Schema connections(RuicConfig ruic, List<ComponentConfig> views) {
     Map<String, Setting> settings = new LinkedHashMap<>();
+    ValueType peers = PortChoices.among(ports.of(ruic.name()), PEERS);
     for (ComponentConfig view : views) {
       List<Port> ports = registry.uic(view.type()).map(ComponentType::ports).orElse(List.of());
-      ports.forEach(port -> add(settings, view.id() + "." + port.name(), port.typeName() + ": "));
+      ports.forEach(port -> add(settings, view.id() + "." + port.name(), peers, port.typeName() + ": "));
     }
-    ruic.connections().forEach(c -> add(settings, c.port().toString(), ""));
+    ruic.connections().forEach(c -> add(settings, c.port().toString(), peers, ""));
     return new Schema(List.copyOf(settings.values()));
   }
 
-  private static void add(Map<String, Setting> settings, String name, String type) {
-    settings.putIfAbsent(name, Setting.optional(name, PEERS, type + PEER_HELP));
+  private static void add(Map<String, Setting> settings, String name, ValueType peers, String type) {
+    settings.putIfAbsent(name, Setting.optional(name, peers, type + PEER_HELP));
   }
 
   private SettingsGroup group(RuicConfig ruic, Part part, String id, String title, String type, Schema schema,
       List<String> within) {
-    List<String> path = Stream.concat(Stream.of("ruics", ruic.name()), within.stream()).toList();
+    return group(part, ruic.name(), id, title, type, schema,
+        Stream.concat(Stream.of("ruics", ruic.name()), within.stream()).toList());
+  }
+
+  private SettingsGroup group(Part part, String ruic, String id, String title, String type, Schema schema,
+      List<String> path) {
     Map<String, Object> all = written.at(path).map(check::values).orElse(Map.of());
     Map<String, Object> values = all.entrySet().stream().filter(e -> schema.find(e.getKey()).isPresent())
         .collect(Collectors.toMap(Map.Entry::getKey, Map.Entry::getValue, (a, b) -> a, LinkedHashMap::new));
-    return new SettingsGroup(part, ruic.name(), id, title, type, file, path, written.line(path), schema, values,
+    return new SettingsGroup(part, ruic, id, title, type, file, path, written.line(path), schema, values,
         reading);
   }
 }

@@ -83,7 +83,16 @@ record TextPatch(MarkedText marked) {
     return replace(new Span(colon + 1, end), " " + word + marked.text().substring(colon + 1, kept));
   }
 
-  /** Without a name and its value; comments beside them get lines of their own. */
+  /** Whether nothing stands before it in its line, such as the dash of a list. */
+  boolean beginsLine(NodeTuple entry) {
+    int begin = marked.begin(entry.getKeyNode());
+    return marked.text().substring(marked.lineBegin(begin), begin).isBlank();
+  }
+
+  /**
+   * Without a name that begins its line or stands in braces, and its value; comments beside them get lines of their
+   * own.
+   */
   String without(MappingNode within, NodeTuple entry) throws PathEdit.Refusal {
     int begin = marked.begin(entry.getKeyNode());
     int end = marked.end(entry);
@@ -91,10 +100,6 @@ record TextPatch(MarkedText marked) {
       return withoutInBraces(within, entry, new Span(begin, end));
     }
     int line = marked.lineBegin(begin);
-    if (!marked.text().substring(line, begin).isBlank()) {
-      throw new PathEdit.Refusal(marked.line(entry.getKeyNode()), "it shares its line with a list; change it with an"
-          + " editor");
-    }
     int lineEnd = marked.lineEnd(end);
     String indent = marked.text().substring(line, begin);
     String comments = marked.comments(new Span(line, lineEnd)).stream()

@@ -3,19 +3,18 @@ package org.robotui.core.internal.compose;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
+import org.robotui.api.bridge.BridgeWords;
 import org.robotui.api.config.Schema;
-import org.robotui.api.config.Setting;
 import org.robotui.api.config.WriteFailure;
 import org.robotui.api.host.ConfigSettings;
 import org.robotui.api.host.Problem;
 import org.robotui.api.host.Problem.Severity;
+import org.robotui.api.host.RuicSnapshot;
 import org.robotui.api.host.SettingsGroup;
 import org.robotui.api.host.SettingsOutcome;
 import org.robotui.core.internal.config.Checksum;
@@ -35,6 +34,7 @@ public final class WrittenSettings implements ConfigSettings {
   private final Registry registry;
   private final SettingsCheck check;
   private final Supplier<List<Path>> files;
+  private final Supplier<List<RuicSnapshot>> robots;
 
   /**
    * For the files of a host.
@@ -43,12 +43,15 @@ public final class WrittenSettings implements ConfigSettings {
    * @param registry the types
    * @param check reads values
    * @param files that run now
+   * @param robots what is known of the robot UIs that run now
    */
-  public WrittenSettings(ConfigSource configs, Registry registry, SettingsCheck check, Supplier<List<Path>> files) {
+  public WrittenSettings(ConfigSource configs, Registry registry, SettingsCheck check, Supplier<List<Path>> files,
+      Supplier<List<RuicSnapshot>> robots) {
     this.configs = configs;
     this.registry = registry;
     this.check = check;
     this.files = files;
+    this.robots = robots;
   }
 
   @Override
@@ -63,6 +66,7 @@ public final class WrittenSettings implements ConfigSettings {
       case INTERFACE -> FixedWords.INTERFACE;
       case VIEW -> FixedWords.VIEW;
       case SAFETY -> FixedWords.SAFETY;
+      case BRIDGES -> BridgeWords.SCHEMA;
       case CONNECTIONS -> Schema.of();
     };
   }
@@ -72,8 +76,10 @@ public final class WrittenSettings implements ConfigSettings {
       String text = new ConfigFile(file).read();
       Optional<WrittenText> written = configs.written(file, text);
       return written.stream().flatMap(w -> {
-        RuicGroups groups = new RuicGroups(registry, check, w, file, Checksum.of(text));
-        return configs.read(file, text, registry).ruics().stream().flatMap(groups::of);
+        PortChoices ports = new PortChoices(robots.get());
+        RuicGroups groups = new RuicGroups(registry, check, w, file, Checksum.of(text), ports);
+        return Stream.concat(configs.read(file, text, registry).ruics().stream().flatMap(groups::of),
+            Stream.of(groups.bridges()));
       });
     } catch (IOException e) {
       LOG.info("{} cannot be read: {}", file, e.getMessage());
@@ -84,7 +90,7 @@ public final class WrittenSettings implements ConfigSettings {
   @Override
   public synchronized SettingsOutcome write(SettingsGroup group, Map<String, Object> values) {
     ConfigFile file = new ConfigFile(group.file());
-    Map<String, Optional<Object>> changes = changes(group, values);
+    List<String> changes = group.changed(values);
     if (changes.isEmpty()) {
       return new SettingsOutcome.Done(group.file(), List.of());
     }
@@ -95,30 +101,19 @@ public final class WrittenSettings implements ConfigSettings {
       if (refusal.isPresent()) {
         return new SettingsOutcome.Refused(refusal.get());
       }
-      String after = changed(before, group, changes);
+      String after = changed(before, group, values);
       Optional<Problem> error = error(group.file(), after);
       if (error.isPresent()) {
         return new SettingsOutcome.Refused(error.get().message());
       }
       file.replace(after);
-      LOG.info("wrote {} of {} into {}", changes.keySet(), String.join("/", group.path()), group.file());
-      return new SettingsOutcome.Done(group.file(), List.copyOf(changes.keySet()));
+      LOG.info("wrote {} of {} into {}", changes, String.join("/", group.path()), group.file());
+      return new SettingsOutcome.Done(group.file(), changes);
     } catch (PathEdit.Refusal e) {
       return new SettingsOutcome.Refused(group.file() + ":" + e.line() + ": " + e.getMessage());
     } catch (IOException e) {
       return new SettingsOutcome.Refused(group.file() + " cannot be written: " + WriteFailure.reason(e));
     }
-  }
-
-  private static Map<String, Optional<Object>> changes(SettingsGroup group, Map<String, Object> values) {
-    Map<String, Optional<Object>> changes = new LinkedHashMap<>();
-    for (Setting setting : group.schema().settings()) {
-      String name = setting.name();
-      if (!Objects.equals(group.values().get(name), values.get(name))) {
-        changes.put(name, Optional.ofNullable(values.get(name)));
-      }
-    }
-    return changes;
   }
 
   private static Optional<String> unlike(SettingsGroup group, String text) {
@@ -131,15 +126,16 @@ public final class WrittenSettings implements ConfigSettings {
         .findFirst();
   }
 
-  private static String changed(String before, SettingsGroup group, Map<String, Optional<Object>> changes)
+  private static String changed(String before, SettingsGroup group, Map<String, Object> values)
       throws PathEdit.Refusal {
     String text = before;
-    for (Map.Entry<String, Optional<Object>> change : changes.entrySet()) {
+    for (String name : group.changed(values)) {
       List<String> path = new ArrayList<>(group.path());
-      path.add(change.getKey());
-      Optional<Object> value = change.getValue();
+      path.add(name);
+      Optional<Object> value = Optional.ofNullable(values.get(name));
       text = value.isEmpty() ? PathEdit.remove(text, path)
-          : PathEdit.set(text, path, value.get(), group.schema().find(change.getKey()).orElseThrow().type());
+          : new ValueEdit(path).set(text, group.values().getOrDefault(name, ""), value.get(),
+              group.schema().find(name).orElseThrow().type());
     }
     return text;
   }

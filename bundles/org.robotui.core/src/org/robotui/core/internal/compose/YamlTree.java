@@ -55,10 +55,40 @@ final class YamlTree {
     return node instanceof ScalarNode s && s.isPlain() && List.of("", "~", "null").contains(s.getValue());
   }
 
+  /** What stands at a path. */
+  static Object at(Object tree, List<String> path) {
+    Object at = tree;
+    for (String name : path) {
+      at = switch (at) {
+        case Map<?, ?> map when map.get(name) != null -> map.get(name);
+        case List<?> list -> list.get(Integer.parseInt(name));
+        default -> NOTHING;
+      };
+    }
+    return at;
+  }
+
+  private static Object withItem(List<?> list, List<String> path, Optional<Object> value) {
+    List<Object> changed = new ArrayList<>(list);
+    int place = Integer.parseInt(path.getFirst());
+    if (place >= list.size()) {
+      return list;
+    }
+    if (path.size() == 1 && value.isEmpty()) {
+      changed.remove(place);
+    } else {
+      changed.set(place, with(list.get(place), path.subList(1, path.size()), value));
+    }
+    return changed;
+  }
+
   /** The same with another value at a path, or without one. */
   static Object with(Object tree, List<String> path, Optional<Object> value) {
     if (path.isEmpty()) {
       return value.orElseThrow();
+    }
+    if (tree instanceof List<?> list) {
+      return withItem(list, path, value);
     }
     Map<String, Object> changed = new LinkedHashMap<>();
     if (tree instanceof Map<?, ?> map) {
@@ -74,7 +104,7 @@ final class YamlTree {
       changed.remove(name);
     } else {
       changed.put(name,
-          with(changed.getOrDefault(name, NOTHING), new ArrayList<>(path.subList(1, path.size())), value));
+          with(changed.getOrDefault(name, NOTHING), path.subList(1, path.size()), value));
     }
     return changed.isEmpty() ? NOTHING : changed;
   }

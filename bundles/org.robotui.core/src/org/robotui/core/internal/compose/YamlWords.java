@@ -57,7 +57,8 @@ final class YamlWords {
     };
   }
 
-  private static ValueType member(ValueType type, String name) {
+  /** What an entry of a section holds. */
+  static ValueType member(ValueType type, String name) {
     return switch (type) {
       case ValueType.MapOf map -> map.value();
       case ValueType.Section section -> section.schema().find(name).map(s -> s.type()).orElse(type);

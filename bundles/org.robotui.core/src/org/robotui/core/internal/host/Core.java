@@ -99,7 +99,8 @@ public final class Core implements Host {
         parts.wall(), parts.state().interfaces(), () -> List.copyOf(ruics),
         parts.bundles(), () -> stage);
     this.opening = new FileOpening(services, parts.configs(), parts.state()::opened, this::load);
-    this.settings = new WrittenSettings(parts.configs(), parts.registry(), parts.check(), configWatch::files);
+    this.settings = new WrittenSettings(parts.configs(), parts.registry(), parts.check(), configWatch::files,
+        () -> ruics.stream().map(RuicRuntime::snapshot).toList());
     watch.add(new DisplayWatchdog(display, parts.bundles(), new SuspectFile(parts.state().suspects()), files,
         this::tellOfDisplay));
     watch.add(new MemoryWatch(MemoryWatch.heap(), () -> arbiters.stopAll(NO_STAGE.principal()),

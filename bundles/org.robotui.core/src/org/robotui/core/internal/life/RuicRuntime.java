@@ -223,6 +223,11 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
   }
 
   @Override
+  public Optional<Envelope<?>> sent(SourceId port) {
+    return showings.sent(port);
+  }
+
+  @Override
   public void connect(SourceId port, SourceId peer) {
     overlay.connect(port, peer);
     wiring.request();

@@ -14,6 +14,7 @@ import org.robotui.api.port.SourceId;
 import org.robotui.api.show.ShowChoice;
 import org.robotui.api.show.Showing;
 import org.robotui.api.show.Subject;
+import org.robotui.core.internal.command.CommandTarget;
 import org.robotui.core.internal.fence.Thrown;
 import org.robotui.core.internal.port.StreamSource;
 import org.slf4j.Logger;
@@ -61,6 +62,13 @@ final class Showings {
   /** The newest value of a stream. */
   Optional<Envelope<?>> newest(SourceId port) {
     return stream(port).flatMap(source -> source.last());
+  }
+
+  /** The newest command that went out. */
+  Optional<Envelope<?>> sent(SourceId port) {
+    return components.rfic(port.component()).stream().flatMap(slot -> slot.offers().stream())
+        .filter(o -> o.id().equals(port)).filter(CommandTarget.class::isInstance)
+        .flatMap(o -> ((CommandTarget<?>) o).sent().last().stream()).<Envelope<?>>map(e -> e).findFirst();
   }
 
   private static List<Showing> showings(UicType type) {

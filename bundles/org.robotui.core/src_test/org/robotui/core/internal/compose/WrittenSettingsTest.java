@@ -85,7 +85,7 @@ class WrittenSettingsTest {
 
     assertEquals(
         List.of("RUIC ", "INTERFACE base", "VIEW scan", "VIEW more", "CONNECTIONS ", "SAFETY Keira", "RUIC ",
-            "INTERFACE base", "VIEW scan", "CONNECTIONS ", "SAFETY Natalie"),
+            "INTERFACE base", "VIEW scan", "CONNECTIONS ", "SAFETY Natalie", "BRIDGES "),
         groups.stream().map(g -> g.part() + " " + g.id()).toList());
     assertEquals(Map.of("peer", "here"), groups.get(1).values());
     assertEquals(5, groups.get(1).line());
@@ -94,7 +94,7 @@ class WrittenSettingsTest {
         groups.get(4).schema().settings().stream().map(s -> s.name()).toList());
     assertEquals(Map.of("max_linear", "0.5"), groups.get(5).values());
     assertEquals(10, groups.get(5).line());
-    assertEquals(11, groups.getLast().line(), "where it would be made");
+    assertEquals(11, groups.get(10).line(), "where it would be made");
   }
 
   @Test
@@ -117,6 +117,26 @@ class WrittenSettingsTest {
         .replace("# m/s\n", "# m/s\n    connect:\n      scan.scan: [base.a, base.b]\n")
         .replace("{base: fake}", "{base: {type: fake, peer: there}}")
         + "    safety:\n      Natalie:\n        max_angular: 1\n", text());
+  }
+
+  @Test
+  void bridgesAreAddedChangedRenamedAndRemovedByTheirFile() throws IOException {
+    Map<String, Object> scan = Map.of("from", "Keira.scan", "to", "Natalie.keira");
+    written(group("", Part.BRIDGES, ""), Map.of("bridges", Map.of("scan", scan)), "bridges");
+    assertTrue(text().startsWith(YAML + "bridges:"), this::textNow);
+    assertEquals(Map.of("bridges", Map.of("scan", scan)), group("", Part.BRIDGES, "").values());
+    written(group("", Part.BRIDGES, ""), Map.of("bridges", Map.of("laser", scan)), "bridges");
+    refused(group("", Part.BRIDGES, ""), Map.of("bridges", Map.of("laser", Map.of("from", "Keira.scan"))), "'to'");
+    written(group("", Part.BRIDGES, ""), Map.of(), "bridges");
+    assertEquals(YAML, text());
+  }
+
+  private String textNow() {
+    try {
+      return text();
+    } catch (IOException e) {
+      return e.toString();
+    }
   }
 
   @Test

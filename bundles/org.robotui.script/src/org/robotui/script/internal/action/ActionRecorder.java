@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import org.robotui.api.host.Host;
 import org.robotui.api.script.ActionWatch;
 import org.robotui.api.script.ScriptFunctions;
@@ -22,6 +23,7 @@ public final class ActionRecorder implements ActionRecording {
   private static final double SHORTEST_WAIT = 0.5;
 
   private final List<ActionWatch> watches = new CopyOnWriteArrayList<>();
+  private final CommandWatch commands;
   private final Consumer<String> line;
   private final Thread thread = new Thread(this::look, "robotui-script-actions");
   private Optional<Long> last = Optional.empty();
@@ -35,6 +37,7 @@ public final class ActionRecorder implements ActionRecording {
    */
   public ActionRecorder(Host host, List<ScriptFunctions> functions, Consumer<String> line) {
     this.line = line;
+    commands = new CommandWatch(host);
     watches.add(new HostWatch(host));
     functions.forEach(f -> f.watch().ifPresent(watches::add));
     thread.setDaemon(true);
@@ -46,6 +49,7 @@ public final class ActionRecorder implements ActionRecording {
       said(System.nanoTime());
     }
     said(System.nanoTime());
+    add(commands.end(System.nanoTime()), System.nanoTime());
   }
 
   private static boolean waited() {
@@ -58,16 +62,25 @@ public final class ActionRecorder implements ActionRecording {
   }
 
   private void said(long now) {
-    List<String> lines = watches.stream().flatMap(watch -> next(watch).stream()).toList();
-    if (lines.isEmpty()) {
+    // Control is taken before something is sent, and given back or stopped after it.
+    List<CommandWatch.Done> sent = commands.next(now);
+    List<CommandWatch.Done> others = watches.stream().flatMap(watch -> next(watch).stream())
+        .map(words -> new CommandWatch.Done(words, 0)).toList();
+    boolean begins = others.stream().anyMatch(d -> d.line().startsWith("takeControl("));
+    add(Stream.concat((begins ? others : sent).stream(), (begins ? sent : others).stream()).toList(), now);
+  }
+
+  private void add(List<CommandWatch.Done> done, long now) {
+    if (done.isEmpty()) {
       return;
     }
-    double waited = last.map(before -> (now - before) / 1e9).orElse(0.0);
+    double took = done.stream().mapToDouble(CommandWatch.Done::seconds).sum();
+    double waited = last.map(before -> (now - before) / 1e9 - took).orElse(0.0);
     if (waited >= SHORTEST_WAIT) {
       line.accept(String.format(Locale.ROOT, "sleep(%.1f);", waited));
     }
     last = Optional.of(now);
-    lines.forEach(line);
+    done.forEach(d -> line.accept(d.line()));
   }
 
   /** One that fails is left out from then on, and hides nothing of the others. */

@@ -1,6 +1,7 @@
 package org.robotui.script.internal.function;
 
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -20,12 +21,14 @@ import org.robotui.api.script.ScriptFailure;
 import org.robotui.api.script.ScriptFunction;
 import org.robotui.data.Data;
 import org.robotui.data.command.VelocityCommand;
+import org.robotui.geometry.Vector3;
 
 /** Control of robots, motion, and the stop: all by the arbiter of the robot, as a user's. */
 final class CommandFunctions {
   private static final Duration BEAT = Duration.ofMillis(100);
   private static final Duration VALID = Duration.ofMillis(300);
   private static final double USUAL_SECONDS = 0.5;
+  private static final double LONGEST_SECONDS = 3600;
 
   private CommandFunctions() {}
 
@@ -47,6 +50,10 @@ final class CommandFunctions {
             "Drives a mobile base, in m/s and rad/s (positive is to the left), and stops it after those seconds."
                 + " The limits of the configuration hold.",
             "", CommandFunctions::drive),
+        ScriptFunction.of("driveAlong(steps, port?, ui?)",
+            "Drives a mobile base through steps without a halt between them, and stops it then. Each step is"
+                + " [forward, turn, seconds], as of drive, or [forward, turn, seconds, left].",
+            "", CommandFunctions::driveAlong),
         ScriptFunction.of("send(port, fields, seconds?, ui?)",
             "Gives a command of any type, such as {linear: {x: 0.2}}; absent fields are zero or empty. It is true for"
                 + " 0.5 s, or those seconds: a motion that is not renewed ends then.",
@@ -90,15 +97,50 @@ final class CommandFunctions {
 
   private static Object drive(ScriptCall call) throws ScriptFailure, InterruptedException {
     VelocityCommand velocity = VelocityCommand.planar(call.number(0), call.number(1));
-    Ruic ruic = call.ruic(Optional.empty());
-    SourceId port = call.textIf(3).isPresent() ? Named.port(call, 3)
+    return drive(call, call.ruic(Optional.empty()), 3, List.of(new Leg(velocity, call.seconds(2, 0))));
+  }
+
+  /** A velocity for some time. */
+  private record Leg(VelocityCommand velocity, Duration lasting) {
+    static Leg of(Object step) throws ScriptFailure {
+      List<Double> numbers = step instanceof List<?> list ? list.stream().filter(Number.class::isInstance)
+          .map(n -> ((Number) n).doubleValue()).toList() : List.of();
+      boolean fits = (numbers.size() == 3 || numbers.size() == 4) && numbers.size() == ((List<?>) step).size();
+      if (!fits || !(numbers.get(2) >= 0) || numbers.get(2) > LONGEST_SECONDS) {
+        throw new ScriptFailure("driveAlong(steps): a step must be [forward, turn, seconds], or with left behind it,"
+            + " the seconds from 0 to " + LONGEST_SECONDS + ", not " + step);
+      }
+      VelocityCommand planar = VelocityCommand.planar(numbers.get(0), numbers.get(1));
+      Vector3 linear = new Vector3(numbers.get(0), numbers.size() == 4 ? numbers.get(3) : 0, 0);
+      return new Leg(new VelocityCommand(linear, planar.angular()), Duration.ofNanos((long) (numbers.get(2) * 1e9)));
+    }
+  }
+
+  private static Object driveAlong(ScriptCall call) throws ScriptFailure, InterruptedException {
+    if (!(call.argument(0).orElse(null) instanceof List<?> steps)) {
+      throw new ScriptFailure("driveAlong(steps): steps must be a list, such as [[0.3, 0, 2], [0.3, 0.5, 1]]");
+    }
+    List<Leg> legs = new ArrayList<>();
+    for (Object step : steps) {
+      legs.add(Leg.of(step));
+    }
+    return drive(call, Named.ruic(call, 2), 1, legs);
+  }
+
+  /** The port is that argument, else the only one that takes velocities. */
+  private static Object drive(ScriptCall call, Ruic ruic, int portArgument, List<Leg> legs)
+      throws ScriptFailure, InterruptedException {
+    SourceId port = call.textIf(portArgument).isPresent() ? Named.port(call, portArgument)
         : Named.only(ruic, PortKind.COMMAND, VelocityCommand.class.getSimpleName());
     PortAccess access = call.access(ruic);
-    long end = System.nanoTime() + call.seconds(2, 0).toNanos();
+    long end = System.nanoTime();
     try {
-      for (long left = end - System.nanoTime(); left > 0; left = end - System.nanoTime()) {
-        accepted(access.send(port, velocity, VALID));
-        call.pause(Duration.ofNanos(Math.min(left, BEAT.toNanos())));
+      for (Leg leg : legs) {
+        end += leg.lasting().toNanos();
+        for (long left = end - System.nanoTime(); left > 0; left = end - System.nanoTime()) {
+          accepted(access.send(port, leg.velocity(), VALID));
+          call.pause(Duration.ofNanos(Math.min(left, BEAT.toNanos())));
+        }
       }
       accepted(access.send(port, VelocityCommand.ZERO, VALID));
     } finally {

@@ -12,14 +12,23 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.robotui.api.command.Principal;
+import org.robotui.api.host.PortStatus;
 import org.robotui.api.layout.Arrangement;
 import org.robotui.api.layout.DropTarget;
 import org.robotui.api.layout.Edge;
 import org.robotui.api.layout.Layout;
+import org.robotui.api.port.Arity;
+import org.robotui.api.port.CommandPort;
+import org.robotui.api.port.PortKind;
+import org.robotui.api.port.SourceId;
 import org.robotui.api.script.ActionWatch;
 import org.robotui.api.script.ScriptFunction;
 import org.robotui.api.script.ScriptFunctions;
 import org.robotui.api.script.ScriptLine;
+import org.robotui.data.FrameId;
+import org.robotui.data.command.VelocityCommand;
+import org.robotui.data.navigation.NavigationGoal;
+import org.robotui.geometry.RigidTransform;
 import org.robotui.script.internal.engine.Console;
 import org.robotui.testkit.host.FakeRuic;
 
@@ -28,6 +37,9 @@ import org.robotui.testkit.host.FakeRuic;
 class ActionsTest {
   private static final Principal YOU = new Principal("window", "You", Principal.Kind.WINDOW);
   private static final Principal PROGRAM = new Principal("script-9", "a script", Principal.Kind.SCRIPT);
+
+  private static final SourceId VELOCITY = new SourceId("base", "cmd_vel");
+  private static final SourceId GOAL = new SourceId("base", "goal");
 
   private final Console console = new Console();
   private final FakeRuic natalie = new FakeRuic("Natalie");
@@ -162,5 +174,76 @@ class ActionsTest {
     public Optional<ActionWatch> watch() {
       return Optional.of(own);
     }
+  }
+
+  @Test
+  void goalsThatUsersSendAreSaidAndSentAgain() {
+    NavigationGoal goal =
+        new NavigationGoal(new FrameId("Natalie", "map"), RigidTransform.planar(2, -1.5, Math.PI / 2));
+    CommandWatch sent = commands();
+    natalie.sending(GOAL, goal);
+    assertEquals(List.of(), sent.next(1), "nobody has control who is a user");
+    natalie.authority().take(YOU, false);
+    natalie.sending(GOAL, goal);
+    List<String> lines = lines(sent.next(2));
+    assertTrue(lines.getFirst().startsWith("send(\"base.goal\", {frame: \"map\", pose: {translation: {x: 2"),
+        lines::toString);
+    assertTrue(lines.getFirst().endsWith(", 1, \"Natalie\");"), lines::toString);
+    assertEquals(List.of(), sent.next(3), "once");
+    natalie.authority().giveBack(YOU);
+    console.run("takeControl(); " + lines.getFirst());
+    assertEquals(goal, natalie.ports().commands().getLast());
+  }
+
+  @Test
+  void aMotionIsOneLineThatDrivesTheSameWay() {
+    CommandWatch sent = commands();
+    natalie.authority().take(YOU, false);
+    long second = 1_000_000_000L;
+    natalie.sending(VELOCITY, VelocityCommand.planar(0.3, 0));
+    assertEquals(List.of(), sent.next(second));
+    natalie.sending(VELOCITY, VelocityCommand.planar(0.301, 0));
+    assertEquals(List.of(), sent.next(second + second / 5));
+    natalie.sending(VELOCITY, VelocityCommand.planar(0.3, 0.5));
+    assertEquals(List.of(), sent.next(second + second * 2 / 5));
+    natalie.sending(VELOCITY, VelocityCommand.ZERO);
+    CommandWatch.Done done = sent.next(second + second * 3 / 5).getFirst();
+    assertEquals("driveAlong([[0.3, 0, 0.4], [0.3, 0.5, 0.2]], \"base.cmd_vel\", \"Natalie\");", done.line());
+    assertEquals(0.6, done.seconds(), 1e-9);
+    natalie.authority().giveBack(YOU);
+    console.run("takeControl(); " + done.line());
+    assertTrue(natalie.ports().commands().contains(VelocityCommand.planar(0.3, 0.5)),
+        () -> natalie.ports().commands().toString());
+    assertEquals(VelocityCommand.ZERO, natalie.ports().commands().getLast());
+  }
+
+  @Test
+  void aMotionThatIsNotRenewedEndsWhereItWasHeardLast() {
+    CommandWatch sent = commands();
+    natalie.authority().take(YOU, false);
+    long second = 1_000_000_000L;
+    natalie.sending(VELOCITY, VelocityCommand.planar(0.3, 0));
+    sent.next(second);
+    natalie.sending(VELOCITY, VelocityCommand.planar(0.3, 0));
+    sent.next(second * 2);
+    assertEquals(List.of("driveAlong([[0.3, 0, 1]], \"base.cmd_vel\", \"Natalie\");"), lines(sent.next(second * 3)));
+    natalie.sending(VELOCITY, VelocityCommand.planar(0.3, 0));
+    sent.next(second * 4);
+    assertEquals(1, sent.end(second * 5).size(), "the end of what is written down ends it");
+  }
+
+  private CommandWatch commands() {
+    natalie.offering(port(VELOCITY, "VelocityCommand"), port(GOAL, "NavigationGoal"));
+    natalie.ports().offer("base", new CommandPort<>("cmd_vel", VelocityCommand.class, Arity.MANY, ""),
+        new CommandPort<>("goal", NavigationGoal.class, Arity.MANY, ""));
+    return new CommandWatch(console.host);
+  }
+
+  private static PortStatus port(SourceId id, String type) {
+    return new PortStatus(id, PortKind.COMMAND, type, false, 0, 0, 0, false, 0, "", "");
+  }
+
+  private static List<String> lines(List<CommandWatch.Done> done) {
+    return done.stream().map(CommandWatch.Done::line).toList();
   }
 }

@@ -46,8 +46,13 @@ public record GpsOptions(
 
   private static final double LONGEST_MINUTES = 100_000;
 
-  /** What the view can be configured with. */
+  /** What the view can be configured with, whichever layers there are. */
   public static Schema schema() {
+    return schema(List.of());
+  }
+
+  /** The same with kinds of layers to choose from. */
+  static Schema schema(List<String> kinds) {
     return Schema.of(
         Setting.of(FOLLOW, new ValueType.Flag(), false, "Keep a receiver in the middle."),
         Setting.of(FOLLOWED, new ValueType.Text(TextRule.SOURCE.orEmpty("\"\"")), "",
@@ -62,7 +67,7 @@ public record GpsOptions(
         Setting.of(COORDINATES, new ValueType.Choice(List.of(DECIMAL, DMS)), DECIMAL,
             "Show coordinates in degrees, or in degrees, minutes and seconds."),
         Setting.of(SHOW_GRID, new ValueType.Flag(), true, "Show the grid."),
-        Setting.of(LayerStack.LAYERS, DisplayEntry.list("layer", "receiver"), List.of(),
+        Setting.of(LayerStack.LAYERS, DisplayEntry.list("layer", "receiver", kinds), List.of(),
             "Layers, the topmost first; the settings above say how those begin that are not listed."),
         Setting.of(DisplayEntry.AUTOMATIC, new ValueType.Flag(), true,
             "Show what robots offer beside the layers that are listed."),

@@ -69,13 +69,18 @@ public record MapOptions(
     return "show_" + kind;
   }
 
-  /** What the map can be configured with. */
+  /** What the map can be configured with, whichever layers there are. */
   public static Schema schema() {
+    return schema(List.of());
+  }
+
+  /** The same with kinds of layers to choose from. */
+  static Schema schema(List<String> kinds) {
     List<Setting> settings = new ArrayList<>();
     settings.add(Setting.of(FIXED_FRAME, new ValueType.Text(TextRule.FRAME), AUTO,
         "The fixed frame; 'auto' takes map, else odom, else the first root."));
     settings.add(Setting.of(FOLLOW, new ValueType.Flag(), false, "Keep the robot in the middle."));
-    settings.add(Setting.of(LayerStack.LAYERS, DisplayEntry.list("layer", "scan"), List.of(),
+    settings.add(Setting.of(LayerStack.LAYERS, DisplayEntry.list("layer", "scan", kinds), List.of(),
         "Layers, the topmost first; the settings below say how those begin that are not listed."));
     settings.add(Setting.of(DisplayEntry.AUTOMATIC, new ValueType.Flag(), true,
         "Show what the robot offers beside the layers that are listed."));

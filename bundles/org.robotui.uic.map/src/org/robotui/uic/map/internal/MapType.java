@@ -12,6 +12,7 @@ import org.robotui.api.Descriptor;
 import org.robotui.api.Uic;
 import org.robotui.api.UicContext;
 import org.robotui.api.UicType;
+import org.robotui.api.config.Schema;
 import org.robotui.api.config.SettingFault;
 import org.robotui.api.config.Settings;
 import org.robotui.api.show.Showing;
@@ -49,6 +50,11 @@ public final class MapType implements UicType {
   @Override
   public Descriptor descriptor() {
     return DESCRIPTOR;
+  }
+
+  @Override
+  public Schema choices() {
+    return MapOptions.schema(kinds().stream().map(LayerType::id).sorted().toList());
   }
 
   @Override

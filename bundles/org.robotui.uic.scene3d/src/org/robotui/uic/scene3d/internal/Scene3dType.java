@@ -13,6 +13,7 @@ import org.robotui.api.Descriptor;
 import org.robotui.api.Uic;
 import org.robotui.api.UicContext;
 import org.robotui.api.UicType;
+import org.robotui.api.config.Schema;
 import org.robotui.api.config.SettingFault;
 import org.robotui.api.config.Settings;
 import org.robotui.api.show.Showing;
@@ -54,6 +55,11 @@ public final class Scene3dType implements UicType {
   @Override
   public Descriptor descriptor() {
     return DESCRIPTOR;
+  }
+
+  @Override
+  public Schema choices() {
+    return SceneOptions.schema(kinds().stream().map(DisplayType::id).sorted().toList());
   }
 
   @Override

@@ -97,6 +97,13 @@ public final class SceneOptions {
 
   private SceneOptions() {}
 
+  /** The same with kinds of displays to choose from. */
+  static Schema schema(List<String> kinds) {
+    Setting listed = SCHEMA.find(DISPLAYS).orElseThrow();
+    Setting offering = Setting.of(DISPLAYS, DisplayEntry.list("display", "laserscan", kinds), List.of(), listed.help());
+    return new Schema(SCHEMA.settings().stream().map(s -> s == listed ? offering : s).toList());
+  }
+
   /** What a scene can be configured with. */
   public static Schema schema() {
     return SCHEMA;

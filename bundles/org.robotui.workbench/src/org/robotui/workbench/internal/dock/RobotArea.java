@@ -43,7 +43,12 @@ public final class RobotArea extends Composite {
 
     /** Has the user choose a view to add. */
     void addView();
+
+    /** What one can begin with, in place of words, where there is no robot and the user wants it. */
+    Optional<Control> welcome(Composite parent, Theme theme);
   }
+
+  private static final String WELCOME = "welcome";
 
   private final Theme theme;
   private final Actions actions;
@@ -90,12 +95,29 @@ public final class RobotArea extends Composite {
   /** Shows a RUIC as it is now. */
   public void show(Optional<Ruic> ruic) {
     if (ruic.isEmpty()) {
+      begin();
+    } else {
+      show(ruic.get(), ruic.get().snapshot());
+    }
+  }
+
+  private void begin() {
+    if (said.equals(WELCOME)) {
+      return;
+    }
+    Optional<Control> welcome = actions.welcome(this, theme);
+    welcome.ifPresent(page -> {
+      clear();
+      said = WELCOME;
+      page.setLayoutData(new GridData(SWT.FILL, SWT.FILL, true, true));
+      message = welcome;
+      layout(true);
+    });
+    if (welcome.isEmpty()) {
       say(Health.NONE, "No robot is selected",
           "Select a robot at the left, make a UI for a new one, or open a configuration that names one.",
           List.of(new MessagePane.Choice("New robot UI\u2026", actions::create),
               new MessagePane.Choice("Open configuration\u2026", actions::open)));
-    } else {
-      show(ruic.get(), ruic.get().snapshot());
     }
   }
 
@@ -112,7 +134,7 @@ public final class RobotArea extends Composite {
 
   @Override
   public boolean setFocus() {
-    return surface.map(RuicSurface::setFocus).orElseGet(super::setFocus);
+    return surface.map(RuicSurface::setFocus).or(() -> message.map(Control::setFocus)).orElseGet(super::setFocus);
   }
 
   private void show(Ruic ruic, RuicSnapshot now) {

@@ -33,6 +33,7 @@ public record WrittenRow(SettingsGroup group, String what, String kind) {
       case VIEW -> new WrittenRow(group, BELOW + group.title(), "view, " + group.type());
       case CONNECTIONS -> new WrittenRow(group, BELOW + group.title(), "which port goes where");
       case SAFETY -> new WrittenRow(group, BELOW + "Safety of " + group.id(), "limits, stop, lease");
+      case BRIDGES -> new WrittenRow(group, "Bridges", "of " + group.file().getFileName());
     };
   }
 
@@ -44,7 +45,8 @@ public record WrittenRow(SettingsGroup group, String what, String kind) {
   /** Whose settings they are, and where they stand. */
   public String heading() {
     String own = what.strip();
-    return (own.equals(group.ruic()) ? own : group.ruic() + "  \u00b7  " + own) + "  \u00b7  " + place();
+    return (own.equals(group.ruic()) || group.ruic().isEmpty() ? own : group.ruic() + "  \u00b7  " + own) + "  \u00b7  "
+        + place();
   }
 
   /** File and line, the file by its name alone. */
@@ -55,7 +57,7 @@ public record WrittenRow(SettingsGroup group, String what, String kind) {
   /** When a change of it holds, as a sentence. */
   public String holds() {
     return switch (group.part()) {
-      case CONNECTIONS, SAFETY -> "It holds at once.";
+      case CONNECTIONS, SAFETY, BRIDGES -> "It holds at once.";
       case INTERFACE -> "The window of the robot asks before the interface is exchanged.";
       case RUIC, VIEW -> "Robot > Restart Robot UI takes it up.";
     };

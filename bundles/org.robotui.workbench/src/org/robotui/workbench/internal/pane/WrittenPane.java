@@ -18,6 +18,7 @@ import org.robotui.ui.Theme;
 import org.robotui.ui.control.Boxes;
 import org.robotui.ui.control.Column;
 import org.robotui.ui.control.FilterField;
+import org.robotui.ui.control.FormProblem;
 import org.robotui.ui.control.NoticeLine;
 import org.robotui.ui.control.QuietButton;
 import org.robotui.ui.control.RowTable;
@@ -135,14 +136,19 @@ public final class WrittenPane extends Composite {
 
   private void edited() {
     boolean fine = form.problems().isEmpty();
-    boolean changed = shown.filter(r -> !r.group().values().equals(form.values())).isPresent();
+    boolean changed = shown.filter(r -> !r.group().changed(form.values()).isEmpty()).isPresent();
     write.setEnabled(changed && fine);
     back.setEnabled(changed || !fine);
-    String words = shown.map(r -> !fine ? form.problems().getFirst().sentence()
+    String words = shown.map(r -> !fine ? first(form.problems().getFirst())
         : changed ? "Write puts it into " + r.group().file().getFileName() + ". " + r.holds()
             : r.group().file().toString())
         .orElse("Choose what to change.");
     notice.show(fine ? Health.NONE : Health.BAD, words);
+  }
+
+  /** Within a group, it is said where. */
+  private static String first(FormProblem problem) {
+    return problem.path().contains("/") ? problem.path() + ": " + problem.sentence() : problem.sentence();
   }
 
   private void asFile() {

@@ -89,7 +89,8 @@ final class FileChoice {
     });
   }
 
-  private void open(Path file) {
+  /** Opens a configuration, or a file as a robot. */
+  void open(Path file) {
     String name = file.getFileName().toString().toLowerCase(Locale.ROOT);
     boolean configuration = (name.endsWith(".yaml") || name.endsWith(".yml"))
         && session.host().files().kinds().stream().noneMatch(kind -> kind.place(file).isPresent());

@@ -38,6 +38,7 @@ public final class RobotCommands extends AbstractHandler {
       case "exchange" -> actions.withSelected(actions::exchange);
       case "reuse" -> actions.reuse();
       case "software" -> actions.software();
+      case "welcome" -> new WelcomeActions(session, window, actions).dialog();
       case "about" -> new AboutAction(session, window).open();
       case "support" -> new SupportSaving(session, window.getShell()).choose();
       case "view.add" -> actions.addView();

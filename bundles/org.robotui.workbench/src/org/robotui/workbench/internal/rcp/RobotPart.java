@@ -128,6 +128,7 @@ public final class RobotPart extends ViewPart {
   private void problems() {
     if (!pane.control().isDisposed()) {
       pane.control().problems(session.configurations().problems());
+      pane.control().show(model.selected()); // what is read now may have no robot
     }
   }
 }

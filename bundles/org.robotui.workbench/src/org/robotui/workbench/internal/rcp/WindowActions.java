@@ -7,6 +7,7 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
 import org.eclipse.jface.dialogs.MessageDialog;
 import org.eclipse.swt.SWT;
+import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 import org.eclipse.swt.widgets.FileDialog;
 import org.eclipse.swt.widgets.Shell;
@@ -20,6 +21,7 @@ import org.robotui.api.show.ShowChoice;
 import org.robotui.api.show.Subject;
 import org.robotui.install.FeatureInstaller;
 import org.robotui.ui.show.SubjectMenu;
+import org.robotui.ui.Theme;
 import org.robotui.workbench.internal.WorkbenchServices;
 import org.robotui.workbench.internal.WorkbenchSession;
 import org.robotui.workbench.internal.model.ExchangeModel;
@@ -266,6 +268,12 @@ final class WindowActions implements TopBar.Actions, Navigator.Actions, RobotAre
   @Override
   public void addView() {
     layout().ifPresent(LayoutActions::addView);
+  }
+
+  @Override
+  public Optional<Control> welcome(Composite parent, Theme theme) {
+    WelcomeActions welcome = new WelcomeActions(session, window, this);
+    return welcome.isWanted() ? Optional.of(welcome.pane(parent, theme)) : Optional.empty();
   }
 
   /** The arrangement of the views that the window shows; none while it shows no views. */

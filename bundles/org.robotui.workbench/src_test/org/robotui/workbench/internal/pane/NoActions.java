@@ -2,9 +2,12 @@ package org.robotui.workbench.internal.pane;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 import org.robotui.api.host.Ruic;
 import org.robotui.api.port.SourceId;
+import org.robotui.ui.Theme;
 import org.robotui.workbench.internal.dock.RobotArea;
 
 /** Notes down what panes ask for. */
@@ -109,5 +112,10 @@ final class NoActions implements TopBar.Actions, Navigator.Actions, RobotArea.Ac
   @Override
   public void closeProblems() {
     calls.add("closeProblems");
+  }
+
+  @Override
+  public Optional<Control> welcome(Composite parent, Theme theme) {
+    return Optional.empty();
   }
 }
