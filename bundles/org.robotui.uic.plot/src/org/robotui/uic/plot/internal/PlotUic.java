@@ -2,6 +2,7 @@ package org.robotui.uic.plot.internal;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalLong;
 import java.util.Set;
 import org.eclipse.swt.widgets.Composite;
 import org.robotui.api.UicContext;
@@ -40,14 +41,16 @@ final class PlotUic extends SurfaceUic<PlotSurface> {
   private final PlotEngine engine;
   private final Exporter exporter;
   private final Edits edits;
-  private final PlotState state = new PlotState();
+  private final PlotState state;
   private volatile PlotScene scene;
   private long shownNow;
   private boolean noticing;
+  private OptionalLong elsewhere = OptionalLong.empty();
 
   PlotUic(UicContext context) {
     this.context = context;
     this.input = context.input(PlotType.VALUES);
+    this.state = new PlotState(context.pointed());
     this.engine = context.retained(PlotEngine.class)
         .map(before -> new PlotEngine(input, context.clock(), context.settings(), whole(context), before))
         .orElseGet(() -> new PlotEngine(input, context.clock(), context.settings(), whole(context)));
@@ -75,7 +78,7 @@ final class PlotUic extends SurfaceUic<PlotSurface> {
   public boolean tick(long nowNanos) {
     PlotScene next = engine.tick(nowNanos);
     boolean news = engine.tookValues() || !next.spec().equals(scene.spec()) || !looks(next).equals(looks(scene))
-        || moved(next) || noticed(nowNanos) || surface().filter(PlotSurface::isChoosing).isPresent();
+        || moved(next) || noticed(nowNanos) || pointed() || surface().filter(PlotSurface::isChoosing).isPresent();
     scene = next;
     shownNow = news ? next.now() : shownNow;
     return news;
@@ -86,6 +89,13 @@ final class PlotUic extends SurfaceUic<PlotSurface> {
     boolean before = noticing;
     noticing = exporter.notice(nowNanos).isPresent();
     return noticing || before;
+  }
+
+  /** Whether the user points at another time elsewhere. */
+  private boolean pointed() {
+    OptionalLong before = elsewhere;
+    elsewhere = state.elsewhere();
+    return !elsewhere.equals(before);
   }
 
   /** Whether time went on so far that it is seen. */

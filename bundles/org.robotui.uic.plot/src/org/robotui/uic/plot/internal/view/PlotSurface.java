@@ -3,6 +3,7 @@ package org.robotui.uic.plot.internal.view;
 import java.time.ZoneId;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.OptionalLong;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.graphics.GC;
 import org.eclipse.swt.graphics.Point;
@@ -202,6 +203,7 @@ public final class PlotSurface implements ViewSurface {
 
   private void listen() {
     navigation.listen();
+    root.addListener(SWT.Dispose, e -> state.tell(OptionalLong.empty()));
     root.addListener(SWT.Resize, e -> place());
     canvas.addListener(SWT.MenuDetect, e -> {
       Point at = canvas.toControl(e.x, e.y);
