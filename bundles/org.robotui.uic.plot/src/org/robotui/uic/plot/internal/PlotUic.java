@@ -61,6 +61,7 @@ final class PlotUic extends SurfaceUic<PlotSurface> {
         .switched("pause", "Pause", Icon.PAUSE, PlotSurface::isHeld, PlotSurface::pause)
         .switched("cursors", "Cursors", Icon.RULER, s -> state.cursors().isPresent(), PlotSurface::cursors)
         .switched("statistics", "Statistics", Icon.TEXT, PlotSurface::showsStatistics, PlotSurface::statistics)
+        .switched("histograms", "Histograms", Icon.BARS, PlotSurface::showsHistograms, PlotSurface::histograms)
         .action("live", "Back to live, or to the whole recording", Icon.FIT, PlotSurface::live)
         .action("export", "Export what is seen\u2026", Icon.SAVE, s -> s.export(false));
   }
@@ -130,6 +131,7 @@ final class PlotUic extends SurfaceUic<PlotSurface> {
         new ViewKey("P", "Pause, or follow a recording"),
         new ViewKey("C", "Show cursors"),
         new ViewKey("S", "Show statistics"),
+        new ViewKey("H", "Show histograms"),
         new ViewKey("0, Home", "Return to live, or to the whole recording"),
         new ViewKey("+, -", "Zoom time"),
         new ViewKey("Left, right", "Move in time"),

@@ -171,6 +171,17 @@ class ReplaySwtTest {
     assertArrayEquals(before, pixels());
   }
 
+  @Test
+  void histogramsStandBelowAndAreOfWhatIsSeen() {
+    int before = canvas().getSize().y;
+    key('h');
+    step();
+    assertTrue(canvas().getSize().y < before);
+    assertTrue(action("histograms").checked().orElseThrow().getAsBoolean());
+    action("histograms").run().run();
+    assertEquals(before, canvas().getSize().y);
+  }
+
   private byte[] pixels() {
     Image image = picture();
     byte[] pixels = image.getImageData(100).data;

@@ -148,9 +148,9 @@ public final class BarState {
         ? OptionalInt.of(scale.x(time.getAsLong())) : OptionalInt.empty();
   }
 
-  /** Tells when the user points at another time; ends that when run. */
-  Runnable onPoint(Runnable changed) {
-    return pointed.listen(changed);
+  /** The time at which the user points. */
+  PointedTime pointed() {
+    return pointed;
   }
 
   /** What could not be read, with the name of the file where there are several. */

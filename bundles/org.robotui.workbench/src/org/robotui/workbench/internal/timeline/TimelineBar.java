@@ -74,7 +74,7 @@ public final class TimelineBar extends Composite {
     Runnable asked = search.onAsk(this::asked);
     Runnable end = live.onChange(this::show);
     Display display = getDisplay();
-    Runnable pointed = bar.onPoint(() -> display.asyncExec(this::pointed));
+    Runnable pointed = bar.pointed().listen(() -> display.asyncExec(this::pointed));
     addListener(SWT.Dispose, e -> {
       pointed.run();
       bar.leave();
@@ -121,7 +121,7 @@ public final class TimelineBar extends Composite {
     Optional<CompareWindow> open = comparing.filter(window -> !window.isClosed());
     open.ifPresent(CompareWindow::focus);
     CompareWindow shown = open.orElseGet(() -> {
-      CompareWindow made = new CompareWindow(this, theme, live, compare);
+      CompareWindow made = new CompareWindow(this, theme, live, compare, bar.pointed());
       made.open();
       return made;
     });

@@ -64,6 +64,12 @@ public final class PlotState {
         .orElseGet(() -> time(scene, axis).span(scene.now(), scene.spec().window(), scene.extent()));
   }
 
+  /** What is measured of an axis: what lies between the cursors, where these are shown, else what is seen. */
+  TimeSpan measured(PlotScene scene, int axis) {
+    return cursors.map(c -> new TimeSpan(Math.min(c.a(), c.b()), Math.max(c.a(), c.b())))
+        .orElseGet(() -> span(scene, axis));
+  }
+
   /** Whether time goes on. Any thread. */
   public boolean isLive() {
     return live;
