@@ -34,7 +34,7 @@ import org.robotui.ui.control.SaveDialog;
 
 /** A window beside the views that says how far two recordings are apart. Display thread only. */
 final class CompareWindow {
-  private static final int WIDTH = 860;
+  private static final int WIDTH = 980;
   private static final int HEIGHT = 520;
   private static final int TABLE = 136;
   private static final int MOST_TOPICS = 30;

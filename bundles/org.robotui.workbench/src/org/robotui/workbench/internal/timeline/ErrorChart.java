@@ -24,8 +24,9 @@ final class ErrorChart {
   private static final int LEFT = 70;
   private static final int TOP = 22;
   private static final int FOOT = 22;
-  private static final int TICKS = 4;
-  private static final int DIGITS = 4;
+  private static final int ROW = 30;
+  private static final int COLUMN = 110;
+  private static final int MOST = 12;
 
   private final Theme theme;
   private final PaintedCanvas canvas;
@@ -101,28 +102,25 @@ final class ErrorChart {
   }
 
   private void values(GC gc, Rectangle plot, ErrorLine shown) {
-    for (int i = 0; i <= TICKS; i++) {
-      double value = shown.low() + (shown.high() - shown.low()) * i / TICKS;
+    double step = shown.step(Math.clamp(plot.height / ROW, 1, MOST));
+    for (double value = Math.ceil(shown.low() / step) * step; value <= shown.high(); value += step) {
       int y = shown.y(plot, value);
       gc.setForeground(theme.color(Role.LINE));
       gc.drawLine(plot.x, y, plot.x + plot.width, y);
-      String label = Figures.fixed(value, decimals(shown));
+      String label = ErrorLine.label(value, step);
       Point size = gc.textExtent(label);
       gc.setForeground(theme.color(Role.DIM));
       gc.drawText(label, plot.x - size.x - Theme.STEP, y - size.y / 2, true);
     }
   }
 
-  private static int decimals(ErrorLine shown) {
-    return Math.clamp(2 - (long) Math.floor(Math.log10(Math.max(1e-9, shown.high() - shown.low()))), 0, 2 * DIGITS);
-  }
-
   private void places(GC gc, Rectangle plot, ErrorLine shown) {
+    double step = shown.stepAlong(Math.clamp(plot.width / COLUMN, 1, MOST));
     gc.setForeground(theme.color(Role.DIM));
-    for (int i = 0; i <= TICKS; i++) {
-      String label = shown.place((double) i / TICKS);
+    for (double along = 0; along <= shown.length(); along += step) {
+      String label = ErrorLine.label(along, step) + (shown.overWay() ? " m" : " s");
       Point size = gc.textExtent(label);
-      int x = plot.x + plot.width * i / TICKS;
+      int x = plot.x + (int) Math.round(along / shown.length() * plot.width);
       gc.drawText(label, Math.min(x - size.x / 2, plot.x + plot.width - size.x), plot.y + plot.height + Theme.STEP,
           true);
     }

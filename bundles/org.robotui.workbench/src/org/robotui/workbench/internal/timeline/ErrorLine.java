@@ -25,10 +25,20 @@ record ErrorLine(ComparedError error, boolean overWay) {
     return Math.min(0, error.least());
   }
 
+  /** From one label of the scale of values to the next. */
+  double step(int most) {
+    return Figures.roundStep((Math.max(error.most(), error.rmse()) - error.least()) / most);
+  }
+
   /** The highest value of the scale. */
   double high() {
     double high = Math.max(error.most(), error.rmse());
     return high > low() ? high : low() + 1;
+  }
+
+  /** From one label of the scale below to the next, in seconds or metres. */
+  double stepAlong(int most) {
+    return Figures.roundStep(length() / most);
   }
 
   private ErrorCurve curve() {
@@ -41,7 +51,8 @@ record ErrorLine(ComparedError error, boolean overWay) {
         : TimeScale.between(curve().time(0), curve().time(at)) / TimeWords.SECOND;
   }
 
-  private double length() {
+  /** How long it is from the first error to the last, in seconds or metres. */
+  double length() {
     return Math.max(1e-9, along(curve().size() - 1));
   }
 
@@ -89,10 +100,9 @@ record ErrorLine(ComparedError error, boolean overWay) {
     return Arrays.copyOf(points, count);
   }
 
-  /** What a part of the way through is, for users. */
-  String place(double share) {
-    double along = share * length();
-    return overWay ? Figures.of(along, 2, "m") : TimeWords.seconds(Math.round(along * TimeWords.SECOND));
+  /** A number with the decimals that tell steps apart. */
+  static String label(double value, double step) {
+    return Figures.fixed(value, Math.clamp(-(long) Math.floor(Math.log10(step) + 1e-9), 0, 2 * DIGITS));
   }
 
   /** What an error is, for users. */

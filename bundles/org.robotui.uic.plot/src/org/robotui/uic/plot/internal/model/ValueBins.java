@@ -3,6 +3,7 @@ package org.robotui.uic.plot.internal.model;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
+import org.robotui.ui.Figures;
 import org.robotui.uic.plot.internal.trace.Samples;
 import org.robotui.uic.plot.internal.trace.TimeSpan;
 
@@ -51,15 +52,15 @@ public record ValueBins(double low, double width, List<Long> counts) {
     }
     double width = nearest(width(values, shape));
     while (bins(shape, width, start(shape, width)) > MOST) {
-      width = Ticks.niceStep(width * 1.5);
+      width = Figures.roundStep(width * 1.5);
     }
     return count(values, shape, width, start(shape, width));
   }
 
   /** The round number that is nearest by its ratio. */
   private static double nearest(double width) {
-    double above = Ticks.niceStep(width);
-    double below = Ticks.niceStep(above / 2.6);
+    double above = Figures.roundStep(width);
+    double below = Figures.roundStep(above / 2.6);
     return above / width < width / below ? above : below;
   }
 
