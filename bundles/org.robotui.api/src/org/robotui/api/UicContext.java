@@ -16,6 +16,7 @@ import org.robotui.api.port.Caller;
 import org.robotui.api.port.CommandPort;
 import org.robotui.api.port.Input;
 import org.robotui.api.port.StreamPort;
+import org.robotui.api.time.PointedTime;
 import org.robotui.api.time.RobotClock;
 import org.robotui.data.Data;
 
@@ -84,6 +85,13 @@ public interface UicContext {
    * @return the clock
    */
   RobotClock clock();
+
+  /**
+   * The time at which the user points, in whatever view of the application.
+   *
+   * @return always the same, for all views
+   */
+  PointedTime pointed();
 
   /**
    * The frames of the RUIC's robots.

@@ -18,6 +18,7 @@ import org.robotui.api.port.CallPort;
 import org.robotui.api.port.Caller;
 import org.robotui.api.port.CommandPort;
 import org.robotui.api.port.StreamPort;
+import org.robotui.api.time.PointedTime;
 import org.robotui.api.time.RobotClock;
 import org.robotui.data.Data;
 
@@ -36,6 +37,7 @@ public final class FakeUicContext implements UicContext {
   private volatile List<RuicView> ruics;
   private volatile Executor background = Runnable::run;
   private volatile Optional<Frames> frames = Optional.empty();
+  private volatile PointedTime pointed = new PointedTime();
 
   /**
    * A context of one view on a robot named Keira.
@@ -173,6 +175,20 @@ public final class FakeUicContext implements UicContext {
   @Override
   public RobotClock clock() {
     return ruic.clock();
+  }
+
+  /**
+   * Shares the time at which the user points with other views; without, the view has one of its own.
+   *
+   * @param shared by all of them
+   */
+  public void pointed(PointedTime shared) {
+    pointed = shared;
+  }
+
+  @Override
+  public PointedTime pointed() {
+    return pointed;
   }
 
   @Override

@@ -1,6 +1,7 @@
 package org.robotui.ui;
 
 import java.util.Locale;
+import java.util.stream.DoubleStream;
 
 /** Figures as users read them: fixed decimals, a real minus sign, a unit. Pure, for all threads. */
 public final class Figures {
@@ -16,6 +17,10 @@ public final class Figures {
   private static final double MILLIS_UNTIL = 0.0995;
 
   private static final double CLOCKS_DIFFER = 0.1;
+
+  private static final double HALF = 1e-9;
+  /** A hundredth of it is still a number with all its digits. */
+  private static final double FINEST = 1e-290;
 
   private Figures() {}
 
@@ -101,5 +106,21 @@ public final class Figures {
    */
   public static String rate(double hertz) {
     return hertz > 0 ? of(hertz, hertz >= 1000 ? 0 : 1, "Hz") : UNKNOWN;
+  }
+
+  /**
+   * A round step for scales.
+   *
+   * @param least how large it is at least
+   * @return the smallest of 1, 2, 5 times a power of ten that is not below it; 1 where that is no number above 0
+   */
+  public static double roundStep(double least) {
+    if (!(least > 0) || !Double.isFinite(least)) {
+      return 1;
+    }
+    double wanted = Math.max(FINEST, least);
+    double power = Math.pow(10, Math.floor(Math.log10(wanted)));
+    return DoubleStream.of(1, 2, 5, 10).map(m -> m * power).filter(s -> s >= wanted * (1 - HALF)).findFirst()
+        .orElse(10 * power);
   }
 }

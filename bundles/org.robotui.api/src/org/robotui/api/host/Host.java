@@ -11,6 +11,7 @@ import org.robotui.api.UicType.Surface;
 import org.robotui.api.bridge.BridgeConfig;
 import org.robotui.api.command.Principal;
 import org.robotui.api.config.Setting;
+import org.robotui.api.time.PointedTime;
 
 /**
  * The core, as an application sees it: an OSGi service. Methods return at once unless they say otherwise, and are safe
@@ -103,6 +104,13 @@ public interface Host {
    * @return always the same
    */
   FileOpener files();
+
+  /**
+   * The time at which the user points, which all views share.
+   *
+   * @return always the same
+   */
+  PointedTime pointed();
 
   /**
    * What the configuration files that run can say, to be shown and changed.

@@ -38,7 +38,27 @@ public record ComparisonReport(int pairs, int first, int second, List<ComparedEr
    * @param deviation their standard deviation
    * @param least the smallest one
    * @param most the largest one
+   * @param curve all of them
    */
   public record ComparedError(String name, String unit, int count, double rmse, double mean, double median,
-      double deviation, double least, double most) {}
+      double deviation, double least, double most, ErrorCurve curve) {
+    /**
+     * Its name for headings.
+     *
+     * @return with its unit, where that is known
+     */
+    public String title() {
+      return unit.isEmpty() ? name : name + " [" + unit + "]";
+    }
+  }
+
+  /**
+   * All errors as comma separated values: a line for each time, with the way gone where that is known, and a column for
+   * each kind of error.
+   *
+   * @return lines with a heading; numbers with all digits
+   */
+  public String csv() {
+    return ErrorCurve.csv(errors);
+  }
 }

@@ -2,7 +2,9 @@ package org.robotui.gl.shape;
 
 import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
+import java.util.List;
 import java.util.Optional;
+import org.robotui.geometry.Vector3;
 
 /**
  * Lines.
@@ -51,6 +53,24 @@ public record LineSet(FloatBuffer xyz, Optional<ByteBuffer> rgba, Kind kind, flo
   public static LineSet of(Kind kind, float width, float... xyz) {
     FloatBuffer corners = FloatBuffer.wrap(xyz);
     return new LineSet(corners, Optional.empty(), kind, width, Box3.around(corners));
+  }
+
+  /**
+   * Lines of one colour, with their bounds computed.
+   *
+   * @param kind how corners make lines
+   * @param width pixels
+   * @param corners in turn
+   * @return the shape
+   */
+  public static LineSet of(Kind kind, float width, List<Vector3> corners) {
+    float[] xyz = new float[3 * corners.size()];
+    for (int i = 0; i < corners.size(); i++) {
+      xyz[3 * i] = (float) corners.get(i).x();
+      xyz[3 * i + 1] = (float) corners.get(i).y();
+      xyz[3 * i + 2] = (float) corners.get(i).z();
+    }
+    return of(kind, width, xyz);
   }
 
   @Override

@@ -38,6 +38,7 @@ import org.robotui.api.host.Ruic;
 import org.robotui.api.host.SettingsGroup;
 import org.robotui.api.host.SettingsOutcome;
 import org.robotui.api.host.WindowConfig;
+import org.robotui.api.time.PointedTime;
 
 /** A host with RUICs that a test adds. Safe for all threads. */
 public final class FakeHost implements Host {
@@ -61,6 +62,7 @@ public final class FakeHost implements Host {
   private volatile Function<Path, FileOutcome> opening =
       file -> new FileOutcome.NotOpened(file, "no robot interface opens it");
   private volatile List<SettingsGroup> groups = List.of();
+  private final PointedTime pointed = new PointedTime();
   private volatile BiFunction<SettingsGroup, Map<String, Object>, SettingsOutcome> writing =
       (group, values) -> new SettingsOutcome.Refused("no test has said what is written");
   private volatile BiFunction<Setting, Object, Optional<String>> wrong = (setting, value) -> Optional.empty();
@@ -210,6 +212,11 @@ public final class FakeHost implements Host {
     groups = List.copyOf(values);
     writing = outcome;
     return this;
+  }
+
+  @Override
+  public PointedTime pointed() {
+    return pointed;
   }
 
   @Override

@@ -36,6 +36,7 @@ import org.robotui.api.host.Problem;
 import org.robotui.api.host.ReuseReport;
 import org.robotui.api.host.Ruic;
 import org.robotui.api.host.WindowConfig;
+import org.robotui.api.time.PointedTime;
 import org.robotui.core.internal.command.Arbiters;
 import org.robotui.core.internal.command.DisplayWatch;
 import org.robotui.core.internal.command.StopWarmUp;
@@ -97,7 +98,7 @@ public final class Core implements Host {
     this.watch = new Watch(parts.clock());
     this.services = new Services(parts.registry(), parts.check(), arbiters, events, watch, timer, parts.clock(),
         parts.wall(), parts.state().interfaces(), () -> List.copyOf(ruics),
-        parts.bundles(), () -> stage);
+        parts.bundles(), () -> stage, new PointedTime());
     this.opening = new FileOpening(services, parts.configs(), parts.state()::opened, this::load);
     this.settings = new WrittenSettings(parts.configs(), parts.registry(), parts.check(), configWatch::files,
         () -> ruics.stream().map(RuicRuntime::snapshot).toList());
@@ -239,6 +240,11 @@ public final class Core implements Host {
   @Override
   public FileOpener files() {
     return opening;
+  }
+
+  @Override
+  public PointedTime pointed() {
+    return services.pointed();
   }
 
   @Override

@@ -39,6 +39,7 @@ import org.robotui.api.host.Problem;
 import org.robotui.api.host.ReuseReport;
 import org.robotui.api.host.Ruic;
 import org.robotui.api.host.WindowConfig;
+import org.robotui.api.time.PointedTime;
 import org.robotui.core.internal.config.SchemaCheck;
 import org.robotui.core.internal.config.YamlConfigSource;
 import org.robotui.core.internal.config.YamlOverlay;
@@ -174,6 +175,11 @@ public final class CoreComponent implements Host {
   @Override
   public FileOpener files() {
     return core.files();
+  }
+
+  @Override
+  public PointedTime pointed() {
+    return core.pointed();
   }
 
   @Override

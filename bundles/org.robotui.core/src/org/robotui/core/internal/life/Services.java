@@ -7,6 +7,7 @@ import java.util.function.Supplier;
 import org.robotui.api.UicType.Surface;
 import org.robotui.api.command.Principal;
 import org.robotui.api.host.RuicView;
+import org.robotui.api.time.PointedTime;
 import org.robotui.core.internal.command.Arbiters;
 import org.robotui.core.internal.config.model.SettingsCheck;
 import org.robotui.core.internal.time.NanoClock;
@@ -29,6 +30,7 @@ import org.robotui.core.internal.watch.Watch;
  * @param ruics all RUICs of the host
  * @param bundles names bundles
  * @param stage where views can be shown, and as whom they command
+ * @param pointed the time at which the user points
  */
 public record Services(
     Registry registry,
@@ -42,11 +44,12 @@ public record Services(
     Path stateFolder,
     Supplier<List<RuicView>> ruics,
     BundleNames bundles,
-    Supplier<Stage> stage) {
+    Supplier<Stage> stage,
+    PointedTime pointed) {
   /** The same, reporting to somebody else. */
   Services with(Events others) {
     return new Services(registry, check, arbiters, others, watch, timer, clock, wall, stateFolder, ruics, bundles,
-        stage);
+        stage, pointed);
   }
 
   /**

@@ -24,6 +24,7 @@ import org.robotui.api.port.Caller;
 import org.robotui.api.port.CommandPort;
 import org.robotui.api.port.Input;
 import org.robotui.api.port.StreamPort;
+import org.robotui.api.time.PointedTime;
 import org.robotui.api.time.RobotClock;
 import org.robotui.core.internal.config.model.ComponentConfig;
 import org.robotui.data.Data;
@@ -179,6 +180,11 @@ final class UicInstance extends Instance implements UicContext {
   @Override
   public RobotClock clock() {
     return ruic.clock();
+  }
+
+  @Override
+  public PointedTime pointed() {
+    return ruic.services().pointed();
   }
 
   @Override

@@ -2,6 +2,7 @@ package org.robotui.uic.plot.internal;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalLong;
 import java.util.Set;
 import org.eclipse.swt.widgets.Composite;
 import org.robotui.api.UicContext;
@@ -40,14 +41,16 @@ final class PlotUic extends SurfaceUic<PlotSurface> {
   private final PlotEngine engine;
   private final Exporter exporter;
   private final Edits edits;
-  private final PlotState state = new PlotState();
+  private final PlotState state;
   private volatile PlotScene scene;
   private long shownNow;
   private boolean noticing;
+  private OptionalLong elsewhere = OptionalLong.empty();
 
   PlotUic(UicContext context) {
     this.context = context;
     this.input = context.input(PlotType.VALUES);
+    this.state = new PlotState(context.pointed());
     this.engine = context.retained(PlotEngine.class)
         .map(before -> new PlotEngine(input, context.clock(), context.settings(), whole(context), before))
         .orElseGet(() -> new PlotEngine(input, context.clock(), context.settings(), whole(context)));
@@ -58,6 +61,7 @@ final class PlotUic extends SurfaceUic<PlotSurface> {
         .switched("pause", "Pause", Icon.PAUSE, PlotSurface::isHeld, PlotSurface::pause)
         .switched("cursors", "Cursors", Icon.RULER, s -> state.cursors().isPresent(), PlotSurface::cursors)
         .switched("statistics", "Statistics", Icon.TEXT, PlotSurface::showsStatistics, PlotSurface::statistics)
+        .switched("histograms", "Histograms", Icon.BARS, PlotSurface::showsHistograms, PlotSurface::histograms)
         .action("live", "Back to live, or to the whole recording", Icon.FIT, PlotSurface::live)
         .action("export", "Export what is seen\u2026", Icon.SAVE, s -> s.export(false));
   }
@@ -75,7 +79,7 @@ final class PlotUic extends SurfaceUic<PlotSurface> {
   public boolean tick(long nowNanos) {
     PlotScene next = engine.tick(nowNanos);
     boolean news = engine.tookValues() || !next.spec().equals(scene.spec()) || !looks(next).equals(looks(scene))
-        || moved(next) || noticed(nowNanos) || surface().filter(PlotSurface::isChoosing).isPresent();
+        || moved(next) || noticed(nowNanos) || pointed() || surface().filter(PlotSurface::isChoosing).isPresent();
     scene = next;
     shownNow = news ? next.now() : shownNow;
     return news;
@@ -86,6 +90,13 @@ final class PlotUic extends SurfaceUic<PlotSurface> {
     boolean before = noticing;
     noticing = exporter.notice(nowNanos).isPresent();
     return noticing || before;
+  }
+
+  /** Whether the user points at another time elsewhere. */
+  private boolean pointed() {
+    OptionalLong before = elsewhere;
+    elsewhere = state.elsewhere();
+    return !elsewhere.equals(before);
   }
 
   /** Whether time went on so far that it is seen. */
@@ -120,6 +131,7 @@ final class PlotUic extends SurfaceUic<PlotSurface> {
         new ViewKey("P", "Pause, or follow a recording"),
         new ViewKey("C", "Show cursors"),
         new ViewKey("S", "Show statistics"),
+        new ViewKey("H", "Show histograms"),
         new ViewKey("0, Home", "Return to live, or to the whole recording"),
         new ViewKey("+, -", "Zoom time"),
         new ViewKey("Left, right", "Move in time"),

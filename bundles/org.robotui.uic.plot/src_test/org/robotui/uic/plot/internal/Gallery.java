@@ -123,7 +123,10 @@ final class Gallery {
   /** Recordings: whole, zoomed, followed, while they are read, failed; and a view without traces. */
   private void fillRecorded() {
     cell(0, 0, 960, 480, c -> recorded(c, "base./odom:linear.x", "base./odom:angular.z",
-        "difference(base./odom:linear.x, base./odom:angular.z)"), s -> key(s, 's'));
+        "difference(base./odom:linear.x, base./odom:angular.z)"), s -> {
+          key(s, 's');
+          key(s, 'h');
+        });
     cell(966, 0, 634, 300, c -> recorded(c, "base./odom:linear.x", "arm./joint_states:joints[0].position"),
         s -> mouse(s, SWT.MouseMove, 250, 120, 0));
     cell(966, 306, 634, 300, c -> recorded(c, "base./odom:linear.x"), s -> {

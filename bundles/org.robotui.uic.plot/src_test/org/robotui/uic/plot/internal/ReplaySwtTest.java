@@ -1,11 +1,13 @@
 package org.robotui.uic.plot.internal;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.robotui.testkit.KeptHistory.BEGIN;
 import static org.robotui.testkit.KeptHistory.SECOND;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import org.eclipse.swt.SWT;
@@ -148,6 +150,43 @@ class ReplaySwtTest {
     assertTrue(position() > middle, "it stays");
     action("live").run().run();
     assertTrue(note.endsWith("whole recording"), note);
+  }
+
+  @Test
+  void thePointerIsToldAndWhereItIsElsewhereIsShown() {
+    mouse(SWT.MouseMove, 400, 0, 0);
+    step();
+    long here = context.pointed().elsewhere(this).orElseThrow();
+    assertTrue(here > BEGIN && here < BEGIN + 300 * SECOND, Long.toString(here));
+    mouse(SWT.MouseExit, 0, 0, 0);
+    step();
+    assertTrue(context.pointed().elsewhere(this).isEmpty());
+    assertFalse(uic.tick(System.nanoTime()));
+    byte[] before = pixels();
+    context.pointed().point(this, BEGIN + 60 * SECOND);
+    assertTrue(uic.tick(System.nanoTime()), "the line of the other pointer is to be painted");
+    assertFalse(Arrays.equals(before, pixels()));
+    context.pointed().leave(this);
+    step();
+    assertArrayEquals(before, pixels());
+  }
+
+  @Test
+  void histogramsStandBelowAndAreOfWhatIsSeen() {
+    int before = canvas().getSize().y;
+    key('h');
+    step();
+    assertTrue(canvas().getSize().y < before);
+    assertTrue(action("histograms").checked().orElseThrow().getAsBoolean());
+    action("histograms").run().run();
+    assertEquals(before, canvas().getSize().y);
+  }
+
+  private byte[] pixels() {
+    Image image = picture();
+    byte[] pixels = image.getImageData(100).data;
+    image.dispose();
+    return pixels;
   }
 
   @Test

@@ -23,7 +23,7 @@ final class TimelineBelow {
     both.setLayout(layout);
     Composite views = place(both, SWT.FILL, true);
     Composite time = place(both, SWT.BOTTOM, false);
-    BarState bar = new BarState();
+    BarState bar = new BarState(session.host().pointed());
     new Rebuilt<>(time, session, (parent, theme) -> new TimelineBar(parent, theme, session.timeline(),
         session.search(), session.compare(), session.analysis(), bar),
         control -> {});

@@ -4,11 +4,13 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.OptionalLong;
 import java.util.Set;
 import org.robotui.api.replay.FoundEvent;
 import org.robotui.api.replay.TimeRange;
 import org.robotui.api.replay.TimelineState;
 import org.robotui.api.replay.Track;
+import org.robotui.api.time.PointedTime;
 import org.robotui.workbench.internal.timeline.LaneRows.Row;
 
 /**
@@ -22,6 +24,7 @@ public final class BarState {
   private static final int EDGE = 14;
 
   private final Set<String> folded = new HashSet<>();
+  private final PointedTime pointed;
   private TimelineState state = TimelineState.EMPTY;
   private List<Track> tracks = List.of();
   private LaneRows rows = LaneRows.of(List.of(), Set.of());
@@ -31,6 +34,15 @@ public final class BarState {
   private List<FoundEvent> events = List.of();
   private List<FoundRow> found = List.of();
   private List<Track> placed = List.of();
+
+  /**
+   * Shows all of the time.
+   *
+   * @param pointed the time at which the user points, here and in views
+   */
+  public BarState(PointedTime pointed) {
+    this.pointed = pointed;
+  }
 
   /** Takes up how things stand. */
   void take(TimelineState now, List<Track> open) {
@@ -117,8 +129,28 @@ public final class BarState {
     return pointer;
   }
 
-  void point(OptionalInt x) {
+  /** The pointer is at a place, which is told to views. */
+  void point(OptionalInt x, TimeScale scale) {
     pointer = x;
+    x.ifPresentOrElse(at -> pointed.point(this, scale.time(at)), this::leave);
+  }
+
+  /** The user points nowhere any more. */
+  void leave() {
+    pointer = OptionalInt.empty();
+    pointed.leave(this);
+  }
+
+  /** Where the time lies at which the user points in a view, within what is shown. */
+  OptionalInt elsewhere(TimeScale scale) {
+    OptionalLong time = pointed.elsewhere(this);
+    return time.isPresent() && pointer.isEmpty() && scale.shown().nearest(time.getAsLong()) == time.getAsLong()
+        ? OptionalInt.of(scale.x(time.getAsLong())) : OptionalInt.empty();
+  }
+
+  /** The time at which the user points. */
+  PointedTime pointed() {
+    return pointed;
   }
 
   /** What could not be read, with the name of the file where there are several. */

@@ -77,6 +77,13 @@ final class BesideShell {
     table.setLayoutData(new GridData(SWT.FILL, SWT.FILL, true, true));
   }
 
+  /** Keeps its height. */
+  void keep(Control table, int height) {
+    GridData at = new GridData(SWT.FILL, SWT.TOP, true, false);
+    at.heightHint = height;
+    table.setLayoutData(at);
+  }
+
   /** Shows it above the bar, whose marks belong to what is listed: at the left, or at the right. */
   void open(int wantedWidth, int wantedHeight, boolean left) {
     Rectangle below = shell.getParent().getBounds();

@@ -21,6 +21,7 @@ import org.robotui.api.replay.ComparisonWish.Alignment;
 import org.robotui.api.replay.ComparisonWish.Pairing;
 import org.robotui.api.replay.Lane;
 import org.robotui.api.replay.Track;
+import org.robotui.api.time.PointedTime;
 import org.robotui.ui.Health;
 import org.robotui.ui.Icon;
 import org.robotui.ui.Theme;
@@ -29,11 +30,13 @@ import org.robotui.ui.control.NoticeLine;
 import org.robotui.ui.control.PopupMenu;
 import org.robotui.ui.control.QuietButton;
 import org.robotui.ui.control.RowTable;
+import org.robotui.ui.control.SaveDialog;
 
 /** A window beside the views that says how far two recordings are apart. Display thread only. */
 final class CompareWindow {
-  private static final int WIDTH = 860;
-  private static final int HEIGHT = 300;
+  private static final int WIDTH = 980;
+  private static final int HEIGHT = 520;
+  private static final int TABLE = 136;
   private static final int MOST_TOPICS = 30;
   private static final String EXAMPLE = "odom, or a number: odom linear.x";
   private static final Map<Pairing, String> PAIRINGS = Map.of(Pairing.TIME, "At the Same Time", Pairing.START,
@@ -55,17 +58,21 @@ final class CompareWindow {
   private final QuietButton go;
   private final NoticeLine said;
   private final RowTable<ComparedError> table;
+  private final ErrorChart chart;
+  private final QuietButton over;
+  private final QuietButton save;
+  private boolean overWay;
   private Optional<Track> one = Optional.empty();
   private Optional<Track> other = Optional.empty();
   private Pairing paired = Pairing.TIME;
   private Alignment aligned = Alignment.NONE;
 
   /** Over the window of a control; opened by {@link #open}. */
-  CompareWindow(Control over, Theme theme, LiveTimeline live, RunCompare compare) {
+  CompareWindow(Control under, Theme theme, LiveTimeline live, RunCompare compare, PointedTime pointed) {
     this.theme = theme;
     this.live = live;
     this.compare = compare;
-    frame = new BesideShell(over, theme, "Compare Recordings");
+    frame = new BesideShell(under, theme, "Compare Recordings");
     shell = frame.shell();
     Composite how = frame.row(4);
     first = new QuietButton(how, theme, () -> recordings(this.first(), one, chosen -> one = chosen))
@@ -81,6 +88,12 @@ final class CompareWindow {
     go = new QuietButton(what, theme, this::start).text("Compare");
     said = frame.notice();
     table = table();
+    chart = new ErrorChart(shell, theme, pointed, time -> live.timeline().ifPresent(t -> t.seek(time)));
+    frame.fill(chart.control());
+    Composite drawn = frame.row(2);
+    over = new QuietButton(drawn, theme, this::turn).hint("What the errors are drawn over");
+    save = new QuietButton(drawn, theme, this::save).icon(Icon.SAVE).text("Save All Errors as CSV\u2026");
+    table.list().onSelect(rows -> draw());
     Runnable news = compare.onChange(this::show);
     Runnable moved = live.onChange(this::show);
     shell.addListener(SWT.Dispose, e -> {
@@ -88,6 +101,24 @@ final class CompareWindow {
       moved.run();
     });
     show();
+  }
+
+  private void turn() {
+    overWay = !overWay;
+    show();
+  }
+
+  private void save() {
+    SaveDialog.ask(shell, "Save Errors", "errors.csv", "*.csv").ifPresent(compare::save);
+  }
+
+  /** The errors of the row that is chosen, at first of the first. */
+  private void draw() {
+    List<ComparedError> errors = compare.standing().report().map(ComparisonReport::errors).orElse(List.of());
+    Optional<ComparedError> chosen = table.list().selected().stream().findFirst()
+        .flatMap(row -> errors.stream().filter(each -> each.name().equals(row.name())).findFirst())
+        .or(() -> errors.stream().findFirst());
+    chart.show(chosen, overWay);
   }
 
   private QuietButton first() {
@@ -100,8 +131,7 @@ final class CompareWindow {
 
   private RowTable<ComparedError> table() {
     List<Column<ComparedError>> columns = List.of(
-        Column.<ComparedError>words("Error", error -> error.name()
-            + (error.unit().isEmpty() ? "" : " [" + error.unit() + "]")).weight(1),
+        Column.<ComparedError>words("Error", ComparedError::title).weight(1),
         Column.<ComparedError>figures("RMSE", error -> figure(error.rmse())).width(84),
         Column.<ComparedError>figures("Mean", error -> figure(error.mean())).width(84),
         Column.<ComparedError>figures("Median", error -> figure(error.median())).width(84),
@@ -109,7 +139,7 @@ final class CompareWindow {
         Column.<ComparedError>figures("Least", error -> figure(error.least())).width(84),
         Column.<ComparedError>figures("Most", error -> figure(error.most())).width(84));
     RowTable<ComparedError> made = new RowTable<>(shell, theme, columns, ComparedError::name);
-    frame.fill(made.control());
+    frame.keep(made.control(), TABLE);
     made.list().named("Errors");
     return made;
   }
@@ -219,6 +249,11 @@ final class CompareWindow {
     go.setEnabled(!compare.standing().running());
     said.show(compare.standing().health(), compare.standing().words());
     table.show(compare.standing().report().map(ComparisonReport::errors).orElse(List.of()));
+    List<ComparedError> errors = table.list().rows();
+    over.text(overWay ? "Drawn over the Way" : "Drawn over Time");
+    over.setEnabled(errors.stream().anyMatch(each -> each.curve().knowsWay()));
+    save.setEnabled(!errors.isEmpty());
+    draw();
     shell.layout(true, true);
   }
 

@@ -87,6 +87,8 @@ final class LaneList {
     }
     TimePaint.line(gc, scale, scale.x(bar.state().position()), 0, area.height, theme.color(Role.TEXT), 1);
     bar.pointer().ifPresent(x -> pointer(gc, scale, x, area));
+    bar.elsewhere(scale)
+        .ifPresent(x -> TimePaint.line(gc, scale, x, 0, area.height, theme.color(Role.DIM), 1));
     if (bar.rows().height() > area.height) {
       int tall = Math.max(16, area.height * area.height / bar.rows().height());
       int y = (area.height - tall) * top / (bar.rows().height() - area.height);

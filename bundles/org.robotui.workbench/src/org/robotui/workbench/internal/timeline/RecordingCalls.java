@@ -1,8 +1,11 @@
 package org.robotui.workbench.internal.timeline;
 
 import java.io.IOException;
+import java.nio.file.Path;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
+import org.robotui.api.config.AtomicFile;
+import org.robotui.api.config.WriteFailure;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -50,6 +53,16 @@ public final class RecordingCalls {
       Answer<V> answer = answer(call);
       display.execute(() -> told.accept(answer));
     });
+  }
+
+  /** Writes a text to a file, in place of what is there; fails with a sentence. */
+  static Path write(Path file, String text) throws IOException {
+    try {
+      AtomicFile.write(file, text);
+    } catch (IOException e) {
+      throw new IOException(file + " could not be written: " + WriteFailure.reason(e), e);
+    }
+    return file;
   }
 
   private static <V> Answer<V> answer(Call<V> call) {

@@ -1,5 +1,6 @@
 package org.robotui.workbench.internal.timeline;
 
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
@@ -75,6 +76,15 @@ public final class RunCompare {
     show(comparison.isPresent() ? new Standing(true, asked, Optional.empty(), "")
         : new Standing(false, asked, Optional.empty(), NOT_THERE));
     comparison.ifPresent(found -> calls.start(() -> found.compare(wish), answer -> take(wish, answer)));
+  }
+
+  /** Writes all errors to a file. */
+  void save(Path file) {
+    standing.report().ifPresent(report -> calls.start(() -> RecordingCalls.write(file, report.csv()), answer -> {
+      if (answer instanceof RecordingCalls.Answer.Failed<Path> failed) {
+        show(new Standing(standing.running(), standing.wish(), standing.report(), failed.why()));
+      }
+    }));
   }
 
   /** Of several that were asked for, the last one counts. */

@@ -40,6 +40,7 @@ record StripPaint(Theme theme, BarState bar) {
     bar.state().bookmarks().forEach(mark -> flag(gc, scale, mark));
     position(gc, scale);
     bar.pointer().ifPresent(x -> pointer(gc, scale, x, time));
+    bar.elsewhere(scale).ifPresent(x -> pointer(gc, scale, x, time));
     gc.setClipping((Rectangle) null);
     if (focused) {
       gc.setForeground(theme.color(Role.ACCENT));

@@ -95,7 +95,7 @@ final class TimeHands {
 
   private void point(OptionalInt x) {
     if (!x.equals(bar.pointer())) {
-      bar.point(x);
+      bar.point(x, scale());
       changed.run();
     }
   }

@@ -7,6 +7,7 @@ import org.eclipse.swt.layout.GridData;
 import org.eclipse.swt.layout.GridLayout;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
+import org.eclipse.swt.widgets.Display;
 import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 
@@ -72,7 +73,11 @@ public final class TimelineBar extends Composite {
     Runnable ended = search.onChange(this::show);
     Runnable asked = search.onAsk(this::asked);
     Runnable end = live.onChange(this::show);
+    Display display = getDisplay();
+    Runnable pointed = bar.pointed().listen(() -> display.asyncExec(this::pointed));
     addListener(SWT.Dispose, e -> {
+      pointed.run();
+      bar.leave();
       ended.run();
       end.run();
       asked.run();
@@ -116,7 +121,7 @@ public final class TimelineBar extends Composite {
     Optional<CompareWindow> open = comparing.filter(window -> !window.isClosed());
     open.ifPresent(CompareWindow::focus);
     CompareWindow shown = open.orElseGet(() -> {
-      CompareWindow made = new CompareWindow(this, theme, live, compare);
+      CompareWindow made = new CompareWindow(this, theme, live, compare, bar.pointed());
       made.open();
       return made;
     });
@@ -141,6 +146,16 @@ public final class TimelineBar extends Composite {
     strip.canvas().requestPaint();
     if (bar.isExpanded()) {
       lanes.canvas().requestPaint();
+    }
+  }
+
+  /** The user points at another time in a view. */
+  private void pointed() {
+    if (!isDisposed() && !bar.tracks().isEmpty()) {
+      strip.canvas().requestPaint();
+      if (bar.isExpanded()) {
+        lanes.canvas().requestPaint();
+      }
     }
   }
 

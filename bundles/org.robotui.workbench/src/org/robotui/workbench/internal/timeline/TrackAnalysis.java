@@ -1,14 +1,11 @@
 package org.robotui.workbench.internal.timeline;
 
-import java.io.IOException;
 import java.nio.file.Path;
 import java.util.HashSet;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
-import org.robotui.api.config.AtomicFile;
-import org.robotui.api.config.WriteFailure;
 import org.robotui.api.replay.OffsetEstimate;
 import org.robotui.api.replay.OffsetEstimation;
 import org.robotui.api.replay.RecordingReports;
@@ -50,15 +47,7 @@ public final class TrackAnalysis {
 
   /** Writes a report to a file. */
   void report(TrackId track, Path file, Consumer<Answer<Path>> told) {
-    start(track, () -> {
-      String page = there(reports).page(track);
-      try {
-        AtomicFile.write(file, page);
-      } catch (IOException e) {
-        throw new IOException(file + " could not be written: " + WriteFailure.reason(e), e);
-      }
-      return file;
-    }, told);
+    start(track, () -> RecordingCalls.write(file, there(reports).page(track)), told);
   }
 
   private static <S> S there(Supplier<Optional<S>> service) {

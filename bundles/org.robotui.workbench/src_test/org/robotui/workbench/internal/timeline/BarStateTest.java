@@ -10,6 +10,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.robotui.api.replay.TimeRange;
 import org.robotui.api.replay.TimelineState;
+import org.robotui.api.time.PointedTime;
 import org.robotui.workbench.internal.timeline.LaneRows.Row;
 
 class BarStateTest {
@@ -17,7 +18,7 @@ class BarStateTest {
   private static final long SECOND = PretendTimeline.SECOND;
 
   private final PretendTimeline timeline = new PretendTimeline().filled();
-  private final BarState bar = new BarState();
+  private final BarState bar = new BarState(new PointedTime());
 
   @BeforeEach
   void take() {

@@ -25,6 +25,7 @@ import org.robotui.api.replay.Bookmark;
 import org.robotui.api.replay.ComparisonWish;
 import org.robotui.api.replay.TimeRange;
 import org.robotui.api.replay.TimelineState;
+import org.robotui.api.time.PointedTime;
 import org.robotui.testkit.TestDisplay;
 import org.robotui.ui.PaintedCanvas;
 import org.robotui.ui.Theme;
@@ -41,7 +42,8 @@ class TimelineBarTest {
   private final Theme theme = Themes.dark(TestDisplay.get());
   private final Shell shell = new Shell(TestDisplay.get(), SWT.NO_TRIM);
   private final LiveTimeline live = new LiveTimeline(Runnable::run);
-  private final BarState state = new BarState();
+  private final PointedTime pointed = new PointedTime();
+  private final BarState state = new BarState(pointed);
   private final PretendSearch service = new PretendSearch();
   private final EventSearch search = new EventSearch(Runnable::run, Runnable::run, () -> Optional.of(service));
   private final RecordingCalls calls = new RecordingCalls(Runnable::run, Runnable::run);
@@ -159,6 +161,19 @@ class TimelineBarTest {
     assertEquals(60, (timeline.state().position() - BEGIN) / (double) SECOND, 0.5);
     mouse(strip(), SWT.MouseMove, 0, x(90), 25);
     assertEquals(1, timeline.asked.size());
+  }
+
+  @Test
+  void whereTheUserPointsInAViewIsShownAndThePointerIsToldToViews() {
+    long before = strip().paints();
+    pointed.point(this, BEGIN + 30 * SECOND);
+    TestDisplay.until(() -> strip().paints() > before);
+    assertEquals(x(30), state.elsewhere(state.scale(strip().getSize().x)).orElseThrow());
+    mouse(strip(), SWT.MouseMove, 0, x(60), 25);
+    assertEquals(60, (pointed.elsewhere(this).orElseThrow() - BEGIN) / (double) SECOND, 0.5);
+    assertTrue(state.elsewhere(state.scale(strip().getSize().x)).isEmpty());
+    mouse(strip(), SWT.MouseExit, 0, 0, 0);
+    assertTrue(pointed.elsewhere(this).isEmpty());
   }
 
   @Test

@@ -18,6 +18,7 @@ import org.robotui.api.replay.ComparisonWish.Pairing;
 import org.robotui.api.replay.TimeRange;
 import org.robotui.api.replay.Timeline.LaneId;
 import org.robotui.api.replay.TimelineState;
+import org.robotui.api.time.PointedTime;
 import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 import org.robotui.ui.Themes;
@@ -59,7 +60,7 @@ final class TimelineGallery {
     EventSearch search = new EventSearch(Runnable::run, Runnable::run, () -> Optional.of(service));
     RunCompare compare =
         new RunCompare(new RecordingCalls(Runnable::run, Runnable::run), () -> Optional.of(PretendComparison.CIRCLE));
-    BarState bar = new BarState();
+    BarState bar = new BarState(new PointedTime());
     bar.expand(words.length > 3);
     live.stepBy(new LaneId(PretendTimeline.KEIRA, "/odom"));
     TimelineBar control = new TimelineBar(shell, theme, live, search, compare,

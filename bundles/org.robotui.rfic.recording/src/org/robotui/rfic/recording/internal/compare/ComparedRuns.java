@@ -1,6 +1,7 @@
 package org.robotui.rfic.recording.internal.compare;
 
 import java.util.List;
+import org.robotui.api.replay.ComparisonReport;
 
 /**
  * What comparing came to.
@@ -13,4 +14,15 @@ import java.util.List;
  * @param problems what could not be read, sentences for users
  */
 public record ComparedRuns(int pairs, int first, int second, long shift, List<ErrorSeries> errors,
-    List<String> problems) {}
+    List<String> problems) {
+  /**
+   * The same for those who do not know files.
+   *
+   * @param offset what is added to times of the first recording, in nanoseconds
+   * @return all of it
+   */
+  public ComparisonReport report(long offset) {
+    return new ComparisonReport(pairs, first, second, errors.stream().map(each -> each.compared(offset)).toList(),
+        problems);
+  }
+}

@@ -1,12 +1,10 @@
 package org.robotui.rfic.recording.internal.compare;
 
 import java.io.IOException;
-import java.util.List;
 import org.osgi.service.component.annotations.Activate;
 import org.osgi.service.component.annotations.Component;
 import org.osgi.service.component.annotations.Reference;
 import org.robotui.api.replay.ComparisonReport;
-import org.robotui.api.replay.ComparisonReport.ComparedError;
 import org.robotui.api.replay.ComparisonWish;
 import org.robotui.api.replay.RecordingComparison;
 import org.robotui.api.replay.TrackId;
@@ -35,9 +33,8 @@ public final class OpenRecordingComparison implements RecordingComparison {
     CompareWish read = new CompareWish(ComparedTopic.of(wish.topic()), pairing(wish.pairing()),
         PoseFit.valueOf(wish.alignment().name()), RelativeStep.POSE, CompareWish.MOST_APART, 0);
     try {
-      ComparedRuns runs = new RunComparison(file(wish.first()), file(wish.second()), read).run();
-      return new ComparisonReport(runs.pairs(), runs.first(), runs.second(),
-          runs.errors().stream().map(OpenRecordingComparison::error).toList(), List.copyOf(runs.problems()));
+      ComparedFile first = file(wish.first());
+      return new RunComparison(first, file(wish.second()), read).run().report(first.offset());
     } catch (CompareException e) {
       throw new IllegalArgumentException(e.getMessage(), e);
     }
@@ -55,11 +52,5 @@ public final class OpenRecordingComparison implements RecordingComparison {
     PlayedTrack track = timeline.open(wanted);
     SearchableHistory history = track.history();
     return new ComparedFile(track.file().getFileName().toString(), history, history.span(), history.offset());
-  }
-
-  private static ComparedError error(ErrorSeries series) {
-    ErrorFigures f = series.figures();
-    return new ComparedError(series.name(), series.unit(), f.count(), f.rmse(), f.mean(), f.median(), f.deviation(),
-        f.least(), f.most());
   }
 }

@@ -26,8 +26,6 @@ import org.robotui.rfic.recording.internal.time.SearchableHistory;
 /** Reads what is compared of one recording. */
 final class StreamReading {
   private static final int MOST = 2_000_000;
-  /** Stamps that are farther away are of another clock than the recording. */
-  private static final long OTHER_CLOCK = 10_000_000_000L;
 
   private record Place(long time, RigidTransform pose) {}
 
@@ -59,7 +57,7 @@ final class StreamReading {
     Set<String> others = new HashSet<>();
     read(value -> {
       if (value.value() instanceof Pose pose) {
-        places.add(new Place(time(value), pose.pose()));
+        places.add(new Place(value.placed(), pose.pose()));
       } else {
         others.add(value.value().getClass().getSimpleName());
       }
@@ -82,7 +80,7 @@ final class StreamReading {
     read(value -> {
       OptionalDouble number = number(value, field);
       if (number.isPresent()) {
-        samples.add(new Sample(time(value), number.getAsDouble()));
+        samples.add(new Sample(value.placed(), number.getAsDouble()));
       } else {
         without[0] = String.join(", ", envelope(value).record().fields());
       }
@@ -111,11 +109,6 @@ final class StreamReading {
 
   private Envelope<?> envelope(RecordedValue value) {
     return new Envelope<>(value.value(), stream.id(), 0, value.stamp(), value.time(), value.raw());
-  }
-
-  private static long time(RecordedValue value) {
-    return value.stamp().map(stamp -> stamp.nanos()).filter(nanos -> Math.abs(nanos - value.time()) < OTHER_CLOCK)
-        .orElse(value.time());
   }
 
   /** Of several of one time the first one. */

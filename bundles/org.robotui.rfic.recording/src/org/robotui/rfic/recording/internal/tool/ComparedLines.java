@@ -2,13 +2,8 @@ package org.robotui.rfic.recording.internal.tool;
 
 import java.io.IOException;
 import java.io.PrintStream;
-import java.math.BigDecimal;
 import java.nio.file.Files;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Locale;
-import java.util.Map;
-import java.util.TreeMap;
 import org.robotui.api.replay.TimeRange;
 import org.robotui.message.payload.PayloadFormats;
 import org.robotui.recording.RecordingInterval;
@@ -28,7 +23,6 @@ import org.robotui.rfic.recording.internal.session.RecordedHistory;
 final class ComparedLines {
   private static final String INSTANCE = "recording";
   private static final double SECONDS = 1e-9;
-  private static final int NANO_DIGITS = 9;
 
   private final CompareCommand command;
   private final PrintStream out;
@@ -78,7 +72,7 @@ final class ComparedLines {
     out.print(command.json() ? json(wish, compared) : text(wish, compared));
     compared.problems().forEach(each -> err.println("robotui: " + each));
     if (command.csv().isPresent()) {
-      Files.writeString(command.csv().get(), csv(compared.errors()));
+      Files.writeString(command.csv().get(), compared.report(0).csv());
     }
     return compared.problems().isEmpty();
   }
@@ -117,31 +111,5 @@ final class ComparedLines {
           .word(Double.toString(f.most())).close('}');
     }
     return line.close(']').close('}') + "\n";
-  }
-
-  /** A line for each time, a column for each error. */
-  private static String csv(List<ErrorSeries> errors) {
-    Map<Long, List<String>> rows = new TreeMap<>();
-    for (int column = 0; column < errors.size(); column++) {
-      ErrorSeries series = errors.get(column);
-      for (int i = 0; i < series.times().length; i++) {
-        List<String> row = rows.computeIfAbsent(series.times()[i], time -> new ArrayList<>());
-        while (row.size() < column) {
-          row.add("");
-        }
-        row.add(Double.toString(series.values()[i]));
-      }
-    }
-    StringBuilder text = new StringBuilder("time [s]");
-    errors.forEach(each -> text.append(',').append(title(each)));
-    text.append('\n');
-    rows.forEach((time, row) -> {
-      text.append(BigDecimal.valueOf(time, NANO_DIGITS).toPlainString());
-      for (int column = 0; column < errors.size(); column++) {
-        text.append(',').append(column < row.size() ? row.get(column) : "");
-      }
-      text.append('\n');
-    });
-    return text.toString();
   }
 }

@@ -9,6 +9,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.regex.Matcher;
@@ -65,6 +66,22 @@ class CompareTest {
     assertTrue(figure("APE rotation", "max") < 0.1);
     assertEquals(0.04, figure("RPE position per pose", "mean"), 0.001);
     assertTrue(out.toString().contains("\"pairs\":100,\"shift\":\"-100000000000\""), out.toString());
+  }
+
+  @Test
+  void errors_over_time_and_way_are_those_of_the_table() throws Exception {
+    Path csv = folder.resolve("ways.csv");
+    assertEquals(0, compare("--topic", "odom,base", "--by", "start", "--csv", csv.toString(), "--json"),
+        err::toString);
+    List<String> lines = Files.readAllLines(csv);
+    assertEquals("time [s],way [m],APE position [m],APE rotation [deg],RPE position per pose [m],"
+        + "RPE rotation per pose [deg]", lines.getFirst());
+    double[] position = lines.stream().skip(1).mapToDouble(line -> Double.parseDouble(line.split(",")[2])).toArray();
+    assertEquals(Math.sqrt(Arrays.stream(position).map(each -> each * each).sum() / position.length),
+        figure("APE position", "rmse"), 1e-9);
+    double[] way = lines.stream().skip(1).mapToDouble(line -> Double.parseDouble(line.split(",")[1])).toArray();
+    assertEquals(0, way[0]);
+    assertTrue(way[way.length - 1] > way[1] && way[1] > 0, Arrays.toString(way));
   }
 
   @ParameterizedTest

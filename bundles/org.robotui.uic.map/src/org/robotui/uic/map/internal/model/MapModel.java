@@ -35,6 +35,7 @@ public final class MapModel {
   private final Input<NavigationStatus> navigation;
   private final Robots robots;
   private final Team team;
+  private final PastPlaces past;
   private volatile MapOptions inForce;
   private long epoch;
   private volatile MapSnapshot snapshot = MapSnapshot.NONE;
@@ -49,6 +50,7 @@ public final class MapModel {
     paths = context.input(MapPorts.PATH);
     navigation = context.input(MapPorts.NAVIGATION);
     robots = new Robots(frames, context.input(MapPorts.ODOM), context.input(MapPorts.POSE), team);
+    past = new PastPlaces(context, team);
     layers = new LayerStack(LayerType.Ground.FRAME, scene, context,
         new LayerInputs(context, MapPorts.LAYERS, MapPorts.DATA), kinds, new Rules());
   }
@@ -88,7 +90,7 @@ public final class MapModel {
     List<SeenRobot> seen = placer.map(robots::find).orElse(List.of());
     changed |= layers.prepare(placer, Optional.empty(), seen, nowNanos, reset);
     MapSnapshot next = new MapSnapshot(fixed, frames.all(), WholeState.of(layers.states()), layers.notes(), seen,
-        ways(placer), failures(), team.selected());
+        ways(placer), failures(), team.selected(), placer.map(past::find).orElse(List.of()));
     changed |= !next.equals(snapshot);
     snapshot = next;
     return changed;

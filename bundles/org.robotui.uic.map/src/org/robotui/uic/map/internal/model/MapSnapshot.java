@@ -20,12 +20,14 @@ import org.robotui.ui.layer.SeenRobot;
  * @param ways where the ways end that robots plan; none where nothing tells what they plan
  * @param failures of goals, the newest of each source
  * @param selected the robots that the user means
+ * @param past where robots were at the time at which the user points
  */
 public record MapSnapshot(
     Optional<FrameId> fixed, List<FrameId> frames, InputState state, List<LayerNote> notes, List<SeenRobot> robots,
-    Optional<List<Vector3>> ways, List<GoalFailure> failures, Set<String> selected) {
+    Optional<List<Vector3>> ways, List<GoalFailure> failures, Set<String> selected,
+    List<PastPlace> past) {
   /** Before the first tick. */
   public static final MapSnapshot NONE = new MapSnapshot(
       Optional.empty(), List.of(), new InputState.Waiting("The map has not looked for data yet."), List.of(), List.of(),
-      Optional.empty(), List.of(), Set.of());
+      Optional.empty(), List.of(), Set.of(), List.of());
 }

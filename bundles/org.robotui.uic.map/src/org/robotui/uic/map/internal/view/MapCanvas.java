@@ -58,6 +58,7 @@ public final class MapCanvas implements ViewSurface {
   private final Legend legend;
   private final TeamHands team;
   private final TeamMarks marks;
+  private final PastMarks past;
   private final ListedView view;
   private final SceneControl scene;
   private final Toast toast = new Toast();
@@ -76,6 +77,7 @@ public final class MapCanvas implements ViewSurface {
     legend = new Legend(theme, model.team());
     team = new TeamHands(this, model.team(), goals);
     marks = new TeamMarks(model.team());
+    past = new PastMarks(model.team());
     KeptViewport kept = choices.camera(context, parent.getDisplay());
     SceneControl[] made = new SceneControl[1];
     view = new ListedView(parent, theme, new LayerListHost(model.layers(), model.scene(), this::refresh, this::mover),
@@ -273,6 +275,7 @@ public final class MapCanvas implements ViewSurface {
     MapSnapshot snapshot = model.snapshot();
     sent.paint(painter, snapshot, System.nanoTime());
     marks.paint(painter, snapshot);
+    past.paint(painter, snapshot.past());
     tool.ifPresent(t -> t.paint(painter));
     painter.opacity(1);
     paintState(gc, area, snapshot);

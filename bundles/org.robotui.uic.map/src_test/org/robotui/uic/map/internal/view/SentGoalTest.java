@@ -85,6 +85,6 @@ class SentGoalTest {
     List<GoalFailure> failures = List.of(failed);
     SeenRobot place = new SeenRobot("Keira", RigidTransform.planar(robot.x(), robot.y(), 0), 0, 0, false, false);
     return new MapSnapshot(Optional.of(MAP), List.of(MAP), new InputState.Live(1, 0), List.of(), List.of(place), ways,
-        failures, Set.of());
+        failures, Set.of(), List.of());
   }
 }

@@ -1,6 +1,7 @@
 package org.robotui.uic.plot.internal.model;
 
 import java.util.Optional;
+import org.robotui.ui.Figures;
 import org.robotui.uic.plot.internal.trace.Summary;
 
 /**
@@ -44,7 +45,7 @@ public final class AutoRange {
   static ValueSpan around(double low, double high) {
     double size = Math.max(Math.abs(low), Math.abs(high));
     double room = high - low <= size * FLAT ? (size == 0 ? 1 : size * 0.1) : (high - low) * ROOM;
-    double step = Ticks.niceStep((high - low + 2 * room) / STEPS) / 2;
+    double step = Figures.roundStep((high - low + 2 * room) / STEPS) / 2;
     return new ValueSpan(Math.floor((low - room) / step) * step, Math.ceil((high + room) / step) * step);
   }
 }

@@ -95,7 +95,8 @@ public final class CsvExport {
     return (nanos < 0 ? "-" : "") + size / TimeSpan.SECOND + "." + "0".repeat(DIGITS - part.length()) + part;
   }
 
-  private static String quoted(String text) {
+  /** As a field of such a line. */
+  static String quoted(String text) {
     return text.indexOf(',') < 0 && text.indexOf('"') < 0 ? text : '"' + text.replace("\"", "\"\"") + '"';
   }
 }

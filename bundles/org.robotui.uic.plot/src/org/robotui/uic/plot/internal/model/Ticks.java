@@ -1,6 +1,5 @@
 package org.robotui.uic.plot.internal.model;
 
-import java.util.stream.DoubleStream;
 import org.robotui.ui.Figures;
 
 /**
@@ -14,26 +13,13 @@ public record Ticks(double first, double step, int count) {
   private static final double HALF = 1e-9;
   private static final int MOST_DECIMALS = 9;
   private static final double LARGE = 1e7;
-  /** A hundredth of it is still a number with all its digits. */
-  private static final double FINEST = 1e-290;
 
   /** Ticks within limits, at most so many. */
   public static Ticks of(double low, double high, int most) {
-    double step = niceStep((high - low) / Math.max(1, most - 1));
+    double step = Figures.roundStep((high - low) / Math.max(1, most - 1));
     double first = Math.ceil(low / step - HALF) * step;
     int count = (int) Math.max(0, Math.floor((high - first) / step + HALF) + 1);
     return new Ticks(first, step, Math.min(count, most + 1));
-  }
-
-  /** The smallest of 1, 2, 5 times a power of ten that is not below a number. */
-  static double niceStep(double least) {
-    if (!(least > 0) || !Double.isFinite(least)) {
-      return 1;
-    }
-    double wanted = Math.max(FINEST, least);
-    double power = Math.pow(10, Math.floor(Math.log10(wanted)));
-    return DoubleStream.of(1, 2, 5, 10).map(m -> m * power).filter(s -> s >= wanted * (1 - HALF)).findFirst()
-        .orElse(10 * power);
   }
 
   public double at(int index) {

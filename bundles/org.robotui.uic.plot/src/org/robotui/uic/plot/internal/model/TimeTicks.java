@@ -92,7 +92,7 @@ public final class TimeTicks {
       }
     }
     return least > SECOND ? Math.min(Math.ceilDiv(least, DAY), MOST_DAYS) * DAY
-        : Math.max(1, Math.round(Ticks.niceStep(least)));
+        : Math.max(1, Math.round(Figures.roundStep(least)));
   }
 
   static int decimals(long step) {

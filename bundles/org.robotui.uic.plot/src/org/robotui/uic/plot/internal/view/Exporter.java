@@ -32,6 +32,11 @@ public final class Exporter {
     this.background = background;
   }
 
+  /** Runs what takes long, beside writing. */
+  Executor background() {
+    return background;
+  }
+
   /** What to say now, if anything. */
   public Optional<Notice> notice(long nowNanos) {
     return notice.filter(n -> nowNanos - n.sinceNanos() < SHOWN_NANOS);
@@ -47,15 +52,28 @@ public final class Exporter {
     List<CsvExport.Column> columns = scene.traces().filter(TraceView::drawn)
         .map(t -> new CsvExport.Column(t.spec().signal(), t.unit(), t.series().orElseThrow().samples())).toList();
     say("writing " + file, true);
-    background.execute(() -> write(new CsvExport(columns, span), file));
+    background.execute(() -> write(new CsvExport(columns, span)::write, file));
   }
 
-  private void write(CsvExport export, String file) {
+  /** Has a text written. */
+  public void write(String text, String file) {
+    background.execute(() -> write(out -> {
+      out.write(text);
+      return text.lines().count() - 1;
+    }, file));
+  }
+
+  /** Writes lines, and says how many. */
+  private interface Lines {
+    long write(Writer out) throws IOException;
+  }
+
+  private void write(Lines lines, String file) {
     try {
       AtomicLong rows = new AtomicLong();
       AtomicFile.write(Path.of(file), out -> {
         Writer writer = new BufferedWriter(new OutputStreamWriter(out, StandardCharsets.UTF_8));
-        rows.set(export.write(writer));
+        rows.set(lines.write(writer));
         writer.flush();
       });
       say("saved " + rows + " rows to " + file, true);

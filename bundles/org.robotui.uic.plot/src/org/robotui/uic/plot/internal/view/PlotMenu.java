@@ -33,6 +33,8 @@ final class PlotMenu {
 
     void copyStatistics();
 
+    void histograms();
+
     void export(boolean all);
 
     void zoomBack(int axis);
@@ -70,6 +72,7 @@ final class PlotMenu {
     menu.check("Cursors", state.cursors().isPresent(), now -> commands.cursors());
     menu.push("Statistics", commands::statistics);
     menu.push("Copy statistics", commands::copyStatistics);
+    menu.push("Histograms", commands::histograms);
     options(menu, scene.spec());
     menu.line();
     menu.push("Export what is seen\u2026", () -> commands.export(false));

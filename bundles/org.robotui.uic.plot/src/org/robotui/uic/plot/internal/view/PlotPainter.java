@@ -4,6 +4,7 @@ import java.time.ZoneId;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalLong;
 import org.eclipse.swt.graphics.GC;
 import org.eclipse.swt.graphics.Point;
 import org.eclipse.swt.graphics.Rectangle;
@@ -57,6 +58,8 @@ final class PlotPainter {
     }
     frames = frames(gc, area, scene, state);
     Optional<AxisFrame> pointed = state.pointer().flatMap(this::plotAt);
+    state.tell(pointed.map(p -> OptionalLong.of(p.time(state.pointer().orElseThrow().x)))
+        .orElse(OptionalLong.empty()));
     List<LegendPainter.Place> named = new ArrayList<>();
     for (AxisFrame frame : frames) {
       boolean live = scene.replay().isEmpty() && state.time(scene, frame.index()).isLive();
@@ -109,7 +112,14 @@ final class PlotPainter {
 
   private Optional<Long> pointedTime(Optional<AxisFrame> pointed, PlotScene scene, AxisFrame frame, PlotState state) {
     return pointed.filter(p -> scene.spec().linked() || p.index() == frame.index())
-        .map(p -> p.time(state.pointer().orElseThrow().x));
+        .map(p -> p.time(state.pointer().orElseThrow().x)).or(() -> elsewhere(frame, state));
+  }
+
+  /** Where the pointer is in another view: the values of that time are shown here too. */
+  private static Optional<Long> elsewhere(AxisFrame frame, PlotState state) {
+    OptionalLong time = state.pointer().isPresent() ? OptionalLong.empty() : state.elsewhere();
+    return time.isPresent() && frame.span().contains(time.getAsLong()) ? Optional.of(time.getAsLong())
+        : Optional.empty();
   }
 
   private void overlay(GC gc, AxisFrame frame, PlotScene scene, PlotState state, Optional<AxisFrame> pointed) {
@@ -121,7 +131,7 @@ final class PlotPainter {
     state.cursors().ifPresent(c -> pointers.cursors(gc, frame, c, frame.index() == 0 || !scene.spec().linked()));
     if (state.box().isEmpty()) {
       pointedTime(pointed, scene, frame, state).ifPresent(time -> pointers.values(gc, frame, time,
-          pointed.get().index() == frame.index(), state.pointer().orElseThrow().y));
+          pointed.filter(p -> p.index() == frame.index()).isPresent(), state.pointer().map(at -> at.y).orElse(0)));
     }
     TraceView first = frame.traces().getFirst();
     if (frame.traces().stream().allMatch(t -> t.state() instanceof InputState.Stale)) {

@@ -3,8 +3,10 @@ package org.robotui.uic.plot.internal.view;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalLong;
 import org.eclipse.swt.graphics.Point;
 import org.eclipse.swt.graphics.Rectangle;
+import org.robotui.api.time.PointedTime;
 import org.robotui.uic.plot.internal.model.AutoRange;
 import org.robotui.uic.plot.internal.model.CursorPair;
 import org.robotui.uic.plot.internal.model.PlotScene;
@@ -22,10 +24,20 @@ public final class PlotState {
 
   private final List<TimeView> times = new ArrayList<>(List.of(TimeView.LIVE));
   private final List<Scale> scales = new ArrayList<>();
+  private final PointedTime pointed;
   private Optional<CursorPair> cursors = Optional.empty();
   private Optional<Point> pointer = Optional.empty();
   private Optional<Rectangle> box = Optional.empty();
   private volatile boolean live = true;
+
+  /**
+   * Sees all.
+   *
+   * @param pointed the time at which the user points, here and elsewhere
+   */
+  public PlotState(PointedTime pointed) {
+    this.pointed = pointed;
+  }
 
   private static final class Scale {
     private Optional<ValueSpan> zoomed = Optional.empty();
@@ -50,6 +62,12 @@ public final class PlotState {
     return scene.replay()
         .map(replay -> time(scene, axis).played(replay.position(), scene.extent().orElse(replay.span())))
         .orElseGet(() -> time(scene, axis).span(scene.now(), scene.spec().window(), scene.extent()));
+  }
+
+  /** What is measured of an axis: what lies between the cursors, where these are shown, else what is seen. */
+  TimeSpan measured(PlotScene scene, int axis) {
+    return cursors.map(c -> new TimeSpan(Math.min(c.a(), c.b()), Math.max(c.a(), c.b())))
+        .orElseGet(() -> span(scene, axis));
   }
 
   /** Whether time goes on. Any thread. */
@@ -140,6 +158,16 @@ public final class PlotState {
 
   void pointer(Optional<Point> next) {
     pointer = next;
+  }
+
+  /** Says elsewhere at which time the pointer is here. */
+  void tell(OptionalLong time) {
+    time.ifPresentOrElse(at -> pointed.point(this, at), () -> pointed.leave(this));
+  }
+
+  /** At which time the user points elsewhere. Any thread. */
+  public OptionalLong elsewhere() {
+    return pointed.elsewhere(this);
   }
 
   /** What is being marked to be zoomed into. */

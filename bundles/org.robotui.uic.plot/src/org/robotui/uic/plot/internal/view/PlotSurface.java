@@ -3,6 +3,7 @@ package org.robotui.uic.plot.internal.view;
 import java.time.ZoneId;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.OptionalLong;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.graphics.GC;
 import org.eclipse.swt.graphics.Point;
@@ -47,6 +48,7 @@ public final class PlotSurface implements ViewSurface {
   private final PlotMenu menu;
   private final ChooserPanel chooser;
   private final StatisticsPane statistics;
+  private final BinsPane bins;
   private final PortAdder ports;
   private final DropZone drops;
   private final QuietButton choose;
@@ -74,6 +76,8 @@ public final class PlotSurface implements ViewSurface {
     this.chooser =
         new ChooserPanel(root, context.theme(), robot, text -> edits.add(text, lastAxis()), this::closeChooser);
     this.statistics = new StatisticsPane(root, context.theme(), () -> showStatistics(true));
+    this.bins = new BinsPane(root, context.theme(), exporter.background(), exporter::write,
+        () -> showStatistics(false));
     this.navigation = new Navigation(canvas, () -> this.scene, state, painter);
     this.menu = new PlotMenu(edits, new Commands(), robot.ports(context.theme()));
     this.ports = new PortAdder(canvas, robot, new Ports());
@@ -168,8 +172,20 @@ public final class PlotSurface implements ViewSurface {
     place();
   }
 
+  /** Shows histograms below the axes, or takes them away. */
+  public void histograms() {
+    bins.open(!bins.isOpen());
+    showStatistics(true);
+    place();
+  }
+
+  public boolean showsHistograms() {
+    return bins.isOpen();
+  }
+
   private void showStatistics(boolean now) {
     statistics.show(scene, state, now);
+    bins.show(scene, state);
   }
 
   public boolean showsStatistics() {
@@ -202,6 +218,7 @@ public final class PlotSurface implements ViewSurface {
 
   private void listen() {
     navigation.listen();
+    root.addListener(SWT.Dispose, e -> state.tell(OptionalLong.empty()));
     root.addListener(SWT.Resize, e -> place());
     canvas.addListener(SWT.MenuDetect, e -> {
       Point at = canvas.toControl(e.x, e.y);
@@ -214,6 +231,8 @@ public final class PlotSurface implements ViewSurface {
         choose("");
       } else if (e.keyCode == 's' && (e.stateMask & SWT.MODIFIER_MASK) == 0) {
         statistics();
+      } else if (e.keyCode == 'h' && (e.stateMask & SWT.MODIFIER_MASK) == 0) {
+        histograms();
       }
     });
     canvas.addListener(SWT.Paint, e -> showStatistics(false));
@@ -239,12 +258,15 @@ public final class PlotSurface implements ViewSurface {
 
   private void place() {
     Rectangle area = root.getClientArea();
-    int wide = area.width - PANEL < LEAST_PLOT ? area.width : PANEL;
-    int panel = chooser.isOpen() ? wide : 0;
+    int list = area.width - PANEL < LEAST_PLOT ? area.width : PANEL;
+    int panel = chooser.isOpen() ? list : 0;
     chooser.control().setBounds(0, 0, panel, area.height);
-    int below = statistics.height(scene, area.height);
+    int counted = bins.height(area.height);
+    int below = counted + statistics.height(scene, area.height - counted);
     canvas.setBounds(panel, 0, Math.max(0, area.width - panel), area.height - below);
-    statistics.control().setBounds(panel, area.height - below, Math.max(0, area.width - panel), below);
+    int wide = Math.max(0, area.width - panel);
+    bins.control().setBounds(panel, area.height - below, wide, counted);
+    statistics.control().setBounds(panel, area.height - below + counted, wide, below - counted);
     Point size = choose.computeSize(SWT.DEFAULT, SWT.DEFAULT);
     choose.setBounds((area.width - size.x) / 2, area.height / 2 + EMPTY_HEIGHT / 2, size.x, size.y);
   }
@@ -334,6 +356,11 @@ public final class PlotSurface implements ViewSurface {
     @Override
     public void statistics() {
       PlotSurface.this.statistics();
+    }
+
+    @Override
+    public void histograms() {
+      PlotSurface.this.histograms();
     }
 
     @Override

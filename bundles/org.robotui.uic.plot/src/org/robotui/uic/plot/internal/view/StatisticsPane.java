@@ -9,10 +9,8 @@ import org.robotui.ui.Theme;
 import org.robotui.ui.control.Clipboards;
 import org.robotui.ui.control.Column;
 import org.robotui.ui.control.RowTable;
-import org.robotui.uic.plot.internal.model.CursorPair;
 import org.robotui.uic.plot.internal.model.PlotScene;
 import org.robotui.uic.plot.internal.model.StatisticsRow;
-import org.robotui.uic.plot.internal.trace.TimeSpan;
 
 /** Statistics of what is seen, or of what lies between the cursors, a row for each trace. Display thread. */
 final class StatisticsPane {
@@ -77,12 +75,7 @@ final class StatisticsPane {
   }
 
   private static List<StatisticsRow> rows(PlotScene scene, PlotState state) {
-    return StatisticsRow.of(scene, axis -> state.cursors().map(StatisticsPane::between)
-        .orElseGet(() -> state.span(scene, axis)));
-  }
-
-  private static TimeSpan between(CursorPair cursors) {
-    return new TimeSpan(Math.min(cursors.a(), cursors.b()), Math.max(cursors.a(), cursors.b()));
+    return StatisticsRow.of(scene, axis -> state.measured(scene, axis));
   }
 
   /** As a table with headings. */

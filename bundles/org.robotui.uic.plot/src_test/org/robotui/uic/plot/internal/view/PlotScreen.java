@@ -2,6 +2,7 @@ package org.robotui.uic.plot.internal.view;
 
 import java.time.ZoneOffset;
 import org.eclipse.swt.widgets.Composite;
+import org.robotui.api.time.PointedTime;
 import org.robotui.ui.PaintedCanvas;
 import org.robotui.ui.Theme;
 import org.robotui.uic.plot.internal.model.PlotScene;
@@ -10,7 +11,7 @@ import org.robotui.uic.plot.internal.model.TimeView;
 /** A canvas that shows one scene, without a robot behind it. */
 public final class PlotScreen {
   private final PlotScene scene;
-  private final PlotState state = new PlotState();
+  private final PlotState state = new PlotState(new PointedTime());
   private final PaintedCanvas canvas;
 
   public PlotScreen(Composite parent, Theme theme, PlotScene scene) {

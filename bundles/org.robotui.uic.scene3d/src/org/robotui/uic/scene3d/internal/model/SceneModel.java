@@ -57,7 +57,9 @@ public final class SceneModel {
   private final Set<FrameId> named = new LinkedHashSet<>();
   private Set<SourceId> chosen = Set.of();
   private long epoch;
+  private final PastLook past;
   private List<Part> marks = List.of();
+  private List<Part> then = List.of();
   private volatile Stage stage = Stage.NONE;
 
   /** A scene of a view. */
@@ -72,6 +74,7 @@ public final class SceneModel {
     this.kinds = kinds;
     this.context = displays;
     this.waypoints = waypoints;
+    past = new PastLook(context);
   }
 
   /** What the last tick made; any thread. */
@@ -123,6 +126,9 @@ public final class SceneModel {
     List<Part> before = marks;
     marks = waypoints.tick(places);
     changed |= !PartsCheck.same(before, marks);
+    List<Part> pointed = then;
+    then = past.parts(places, robot -> colors.of(robot, now));
+    changed |= !PartsCheck.same(pointed, then);
     List<Stage.Robot> robots = Robots.find(places, named, r -> colors.of(r, now));
     return show(fixed, frames(places), robots, changed);
   }
@@ -211,6 +217,9 @@ public final class SceneModel {
     });
     if (!marks.isEmpty()) {
       parts.put(Waypoints.DISPLAY, marks);
+    }
+    if (!then.isEmpty()) {
+      parts.put(PastLook.DISPLAY, then);
     }
     boolean other = changed || !parts.keySet().equals(stage.parts().keySet());
     List<DisplayRow> rows = new ArrayList<>();

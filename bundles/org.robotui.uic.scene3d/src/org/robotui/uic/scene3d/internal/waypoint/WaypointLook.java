@@ -88,13 +88,7 @@ final class WaypointLook {
     }
     if (!route.poses().equals(poses)) {
       poses = route.poses();
-      float[] xyz = new float[3 * poses.size()];
-      for (int i = 0; i < poses.size(); i++) {
-        xyz[3 * i] = (float) poses.get(i).translation().x();
-        xyz[3 * i + 1] = (float) poses.get(i).translation().y();
-        xyz[3 * i + 2] = (float) poses.get(i).translation().z();
-      }
-      line = LineSet.of(LineSet.Kind.STRIP, WIDTH, xyz);
+      line = LineSet.of(LineSet.Kind.STRIP, WIDTH, poses.stream().map(RigidTransform::translation).toList());
     }
   }
 
