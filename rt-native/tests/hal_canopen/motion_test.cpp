@@ -34,6 +34,16 @@ TEST_F(CanOpenTest, joints_follow_velocities_and_efforts_where_the_modes_are_wan
   EXPECT_TRUE(cycleUntil([&] { return joints[0].link_velocity == 0; }));
 }
 
+TEST_F(CanOpenTest, joints_are_shown_and_no_drive_is_enabled_where_that_is_wanted) {
+  open(", enable: false, enable_timeout_ms: 10");
+  world.with(0, [](simulated::Drive& drive) { drive.motor() = simulated::Motor(3000); });
+  EXPECT_TRUE(cycleUntil([&] { return std::abs(joints[0].link_position - 0.3) < 1e-4; }));
+  for (int i = 0; i < 30; ++i) EXPECT_EQ(cycle(), Status::kTimeout);
+  EXPECT_EQ(world.with(0, [](simulated::Drive& drive) { return drive.motor().state(); }),
+            DriveState::kSwitchOnDisabled);
+  EXPECT_TRUE(told.empty()) << all();
+}
+
 TEST_F(CanOpenTest, a_mode_that_is_not_configured_holds_and_is_told) {
   open();
   ASSERT_TRUE(cycleUntil(Status::kOk)) << all();

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../one_way.h"
+
 namespace robotui::rt::hal::canopen {
 
 namespace {
@@ -79,7 +81,7 @@ Alarm Drive::fall(Cause cause, std::uint32_t detail) noexcept {
 
 // What the drive said of itself: where it is not enabled any more it takes a person to go on.
 Alarm Drive::advance(std::int64_t now_ns) noexcept {
-  if (phase_ == Phase::kFallen) return {};
+  if (phase_ == Phase::kFallen || !settings_.enables) return {};
   const bool operational = nmt_ == static_cast<std::uint8_t>(NmtState::kOperational);
   const bool enabled = was_heard_ && state() == DriveState::kEnabled;
   if (phase_ == Phase::kEnabled && !operational) return fall(Cause::kRestarted, nmt_);
@@ -123,6 +125,9 @@ Alarm Drive::look(std::int64_t now_ns, bool was_asked) noexcept {
   return advance(now_ns);
 }
 
+// Who turns the other way pushes the other way, too.
+double Drive::turn() const noexcept { return drive_.counts < 0 ? -1 : 1; }
+
 double Drive::position() const noexcept { return position_counts_ / drive_.counts + drive_.offset; }
 
 void Drive::measure(link::JointState& into) noexcept {
@@ -134,7 +139,8 @@ void Drive::measure(link::JointState& into) noexcept {
   measured_ = now;
   into.link_position = into.motor_position = now;
   into.link_velocity = into.motor_velocity = velocity;
-  into.effort = torque_counts_ * drive_.rated_effort / 1000;
+  into.effort = torque_counts_ * turn() * drive_.rated_effort / 1000;
+  velocity_ = velocity;
   into.fault = error_ | (is_heard_ && phase_ != Phase::kFallen ? 0 : kFaultSign);
 }
 
@@ -148,21 +154,22 @@ void Drive::set(const Field& field, std::uint32_t value) noexcept {
 
 // Everything that the drive does not follow now is set so that it may change over to it at any time.
 void Drive::lead(const Reference& reference) noexcept {
-  const bool by_position = (reference.mode & link::kPosition) != 0;
-  const bool by_velocity = !by_position && (reference.mode & link::kVelocity) != 0;
-  const bool by_effort = !by_position && !by_velocity && (reference.mode & link::kEffort) != 0;
-  const bool refused = (by_velocity && !settings_.ways.velocity) || (by_effort && !settings_.ways.effort);
+  const Command told = commandOf(reference, {position(), velocity_, 0}, settings_.ways.effort, drive_.most_effort);
+  const bool refused =
+      (told.way == Way::kVelocity && !settings_.ways.velocity) || (told.way == Way::kEffort && !settings_.ways.effort);
   refused_mode_ = refused ? reference.mode : 0;
-  if (by_position) hold_ = reference.position;
-  if (!by_position && !refused) hold_ = position();
-  const bool velocity = by_velocity && !refused;
-  const bool effort = by_effort && !refused;
+  const Way way = refused ? Way::kPosition : told.way;
+  if (told.way == Way::kPosition)
+    hold_ = told.value;
+  else if (!refused)
+    hold_ = position();
   set(layout_.target_position, counts(hold_));
-  set(layout_.target_velocity, velocity ? bounded(reference.velocity * drive_.velocity_scale, kMostCounts) : 0);
-  set(layout_.target_torque, effort ? bounded(reference.effort / drive_.rated_effort * 1000, kMostTorque) : 0);
-  set(layout_.mode, modeWord(velocity ? OperationMode::kSyncVelocity
-                             : effort ? OperationMode::kSyncTorque
-                                      : OperationMode::kSyncPosition));
+  set(layout_.target_velocity, way == Way::kVelocity ? bounded(told.value * drive_.velocity_scale, kMostCounts) : 0);
+  set(layout_.target_torque,
+      way == Way::kEffort ? bounded(told.value * turn() / drive_.rated_effort * 1000, kMostTorque) : 0);
+  set(layout_.mode, modeWord(way == Way::kVelocity ? OperationMode::kSyncVelocity
+                             : way == Way::kEffort ? OperationMode::kSyncTorque
+                                                   : OperationMode::kSyncPosition));
 }
 
 // Until the robot can be led, an enabled drive holds where it was enabled; one that is not goes on from where it is.
@@ -172,7 +179,7 @@ void Drive::command(const Reference* reference, bool robot_is_led) noexcept {
   if (phase_ != Phase::kEnabled) hold_ = position();
   lead(is_led ? *reference : Reference{hold_, 0, 0, 0, 0, link::kPosition});
   const bool edge = (cycle_ / kEdgeCycles) % 2 == 1;
-  set(layout_.control_word, phase_ == Phase::kFallen || !was_heard_ ? kDisableVoltage : towardsEnabled(state(), edge));
+  set(layout_.control_word, phase_ == Phase::kFallen || !was_heard_ || !settings_.enables ? kDisableVoltage : towardsEnabled(state(), edge));
 }
 
 void Drive::commandOff() noexcept {

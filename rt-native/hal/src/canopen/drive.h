@@ -62,6 +62,7 @@ class Drive {
   void set(const Field& field, std::uint32_t value) noexcept;
   std::uint32_t counts(double position) const noexcept;
   double position() const noexcept;
+  double turn() const noexcept;
 
   const Settings& settings_;
   const DriveSettings& drive_;
@@ -83,7 +84,8 @@ class Drive {
   std::int32_t position_counts_ = 0;
   std::int32_t velocity_counts_ = 0;
   std::int16_t torque_counts_ = 0;
-  double hold_ = 0;         // rad or m
+  double hold_ = 0;  // rad or m
+  double velocity_ = 0;
   double measured_ = 0;     // rad or m of the cycle before
   bool has_state_ = false;  // in this cycle
   bool was_heard_ = false;  // its state ever

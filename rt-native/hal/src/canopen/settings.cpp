@@ -87,6 +87,7 @@ DriveSettings readDrive(const config::Reader& from, const config::JointDescripti
   drive.rated_effort = from.realOr("rated_torque", 0, -1e6, 1e6);
   if (ways.effort && drive.rated_effort == 0)
     from.at("rated_torque", "rated_torque: 12, N m at the joint of 1000 in 0x6071").fail("is 0, but modes has effort");
+  drive.most_effort = joint.effort;
   drive.lower = joint.lower;
   drive.upper = joint.upper;
   checkRange(from, drive);
@@ -130,7 +131,7 @@ void readDrives(const config::Reader& params, const config::RobotDescription& ro
 Settings readSettings(const config::RobotDescription& robot, const config::HalConfig& config, std::int64_t period_ns) {
   const config::Reader params(config.params, config.place.file, "HALInterface.params", config.place);
   params.knowsOnly({"interface", "bitrate", "heartbeat_ms", "heartbeat_timeout_ms", "missed_pdos", "enable_timeout_ms",
-                    "sdo_timeout_ms", "own_node", "mapping", "modes", "drives"});
+                    "sdo_timeout_ms", "own_node", "mapping", "modes", "enable", "drives"});
   Settings settings;
   settings.interface = params.textOr("interface", "can0");
   settings.bitrate = params.wholeOr("bitrate", 1'000'000, 10'000, 8'000'000);
@@ -146,6 +147,7 @@ Settings readSettings(const config::RobotDescription& robot, const config::HalCo
   settings.own_node = static_cast<std::uint8_t>(params.wholeOr("own_node", 127, 1, 127));
   if (const auto mapping = params.find("mapping"))
     settings.writes_mapping = mapping->oneOf({"write", "keep"}) == "write";
+  settings.enables = params.flagOr("enable", true);
   settings.ways = readWays(params);
   readDrives(params, robot, settings);
   return settings;

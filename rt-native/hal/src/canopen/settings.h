@@ -25,6 +25,7 @@ struct DriveSettings {
   double offset = 0;          // rad or m of the joint where the drive counts 0
   double velocity_scale = 0;  // of 0x60FF and 0x606C per rad/s or m/s
   double rated_effort = 0;    // N m or N at the joint of 1000 in 0x6071 and 0x6077; 0 where it is not known
+  double most_effort = 0;     // N m or N
   double lower = 0;           // rad or m; infinite where there is none
   double upper = 0;
   std::vector<GivenObject> objects;
@@ -41,6 +42,7 @@ struct Settings {
   std::uint32_t missed_pdos = 0;  // in turn
   std::uint8_t own_node = 0;
   bool writes_mapping = true;
+  bool enables = true;  // else drives are looked at alone
   Ways ways;
   std::vector<DriveSettings> drives;  // in the order of the joints
 };
