@@ -33,7 +33,7 @@ install(FILES cmake/robotui-rt-config.cmake cmake/RtDependencies.cmake cmake/RtT
 install(CODE "set(RT_INSTALLED_PREFIX \"\${CMAKE_INSTALL_PREFIX}\")
   configure_file(\"${CMAKE_SOURCE_DIR}/supervisor/robotui-rt@.service.in\" \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/lib/systemd/user/robotui-rt@.service\" @ONLY)")
 
-install(TARGETS robotui-rt robotui-rt-ctl robotui-rt-new robotui-rt-hal robotui-rt-host robotui-rt-joints RUNTIME DESTINATION bin)
+install(TARGETS robotui-rt robotui-rt-ctl robotui-rt-new robotui-rt-hal robotui-rt-host robotui-rt-joints robotui-rt-drives RUNTIME DESTINATION bin)
 if(TARGET robotui-rt-ros)
   install(TARGETS robotui-rt-ros RUNTIME DESTINATION bin)
 endif()

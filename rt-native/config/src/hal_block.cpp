@@ -20,7 +20,7 @@ void readType(const Reader& block, HalConfig& hal) {
   }
   hal.lib_name = block.textOr("lib_name", "");
   if (const auto type = block.find("type"))
-    hal.type = type->oneOf({"dummy", "mujoco", "gazebo", "udp", "ethercat", "library"});
+    hal.type = type->oneOf({"dummy", "mujoco", "gazebo", "udp", "canopen", "ethercat", "library"});
   if (hal.type == "library" && hal.lib_file.empty())
     block.fail("has the type library, but no 'lib_file'; write lib_file: libMyHal.so");
 }

@@ -1,5 +1,6 @@
 #include "robotui/rt/hal/kinds.h"
 
+#include "canopen/canopen.h"
 #include "dummy/dummy.h"
 #include "library.h"
 #include "udp/udp.h"
@@ -35,6 +36,7 @@ std::filesystem::path libraryOf(std::string_view type) {
 std::unique_ptr<Hal> create(const config::HalConfig& config) {
   if (config.type == "dummy") return std::make_unique<Dummy>();
   if (config.type == "udp") return std::make_unique<udp::Udp>();
+  if (config.type == "canopen") return std::make_unique<canopen::CanOpen>();
   if (config.type == "library") return loadLibrary(config.lib_file);
   std::string remedy = "take another type, or lib_file with a HAL of your own";
   for (const Optional& kind : kOptional) {

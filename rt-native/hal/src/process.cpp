@@ -98,8 +98,11 @@ void Process::obey(const link::Socket& supervisor, const std::atomic<bool>& ende
     for (link::JointEvent event; cycle_->takeEvent(event);) supervisor.send(link::textOf(event));
     if (received == link::Received::kTimeout) continue;
     if (received == link::Received::kClosed || packet.verb() == "end") break;
-    if (packet.verb() != "host" || !replaceHost(packet))
+    if (packet.verb() == "recover") {
+      for (const std::string& sentence : hal_->recover()) supervisor.send("log info " + sentence);
+    } else if (packet.verb() != "host" || !replaceHost(packet)) {
       supervisor.send("log warn The HAL does not understand '" + packet.text + "'.");
+    }
   }
   loop_->stop();
 }

@@ -39,10 +39,12 @@ void ClientRequests::dispatch(std::uint64_t client, const link::Packet& packet) 
     master_.follower(client);
   } else if (verb == "describe") {
     robot_.describe(client, rest);
+  } else if (verb == "recover") {
+    robot_.recover(client);
   } else {
     replies_.answer(client, "The request " + quoted(verb) +
                                 " is not known. There are: attach, switch, reload, command, status, take, release, "
-                                "follower, describe, reference.");
+                                "follower, describe, recover, reference.");
   }
 }
 

@@ -41,6 +41,7 @@ constexpr const char* kUsage = R"(robotui-rt-ctl [--name NAME] COMMAND
   command PLUGIN WORDS...      tell it something
   trajectory FILE [PLUGIN]     take joints along the points of a file, and wait for the end (docs/rt-trajectories.md); PLUGIN is JointTrajectory
   trace [FILE] [--for SECONDS] what the loops do, cycle by cycle, as a file for Perfetto (docs/rt-tracing.md); trace.json and 10 s where nothing is said
+  recover                      bring drives back that a fault has disabled (docs/rt-canopen.md)
   reload PLUGIN                load its library and its parameters anew
   reference JOINT=POSITION... [--for SECONDS]
                                command joints as the master framework (the communication plugin must run)
@@ -200,6 +201,7 @@ std::string doneWords(const std::string& command, const std::vector<std::string>
   const std::string plugin = words.empty() ? std::string() : words.front();
   if (command == "switch" && words.size() > 1) return plugin + (words[1] == "1" ? " runs." : " is stopped.");
   if (command == "reload") return plugin + " is loaded anew, and stopped.";
+  if (command == "recover") return "The HAL is asked for it: what it says is in the log of robotui-rt.";
   if (command == "command") return plugin + " has taken it.";
   return "ok";
 }

@@ -28,6 +28,11 @@ void RobotRequests::attach(std::uint64_t client) {
   replies_.reply(client, "attached " + std::to_string(hosts_.size()), numbersOf(shared));
 }
 
+void RobotRequests::recover(std::uint64_t client) {
+  const bool asked = hal_.isOpen() && hal_.child().socket().send("recover");
+  replies_.answer(client, asked ? "" : "The HAL is not there now: it is being started again.");
+}
+
 void RobotRequests::describe(std::uint64_t client, std::string_view words) {
   const auto [which, from] = link::splitWord(words);
   std::size_t offset = 0;

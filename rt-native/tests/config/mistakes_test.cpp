@@ -41,8 +41,8 @@ TEST_F(Mistakes, SlipsOfThePenAreNamed) {
   expect("XBotRTPlugin: {plugins: [A]}\n", "rt.yaml:5:15: XBotRTPlugin is not a key, did you mean 'XBotRTPlugins'?");
   expect("HALInterface: {deadlin: 0.5}\n", "did you mean 'deadline'?");
   expect("HALInterface: {type: mujoko}\n",
-         "rt.yaml:5:22: HALInterface.type is 'mujoko'; expected one of dummy, mujoco, gazebo, udp, ethercat, library, "
-         "did you mean 'mujoco'?");
+         "rt.yaml:5:22: HALInterface.type is 'mujoko'; expected one of dummy, mujoco, gazebo, udp, canopen, ethercat, "
+         "library, did you mean 'mujoco'?");
 }
 
 TEST_F(Mistakes, LimitsOfJointsThatAreNot) {

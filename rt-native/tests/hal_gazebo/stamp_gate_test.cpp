@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "notices.h"
+#include "../notices.h"
 #include "robotui/rt/link/clock.h"
 
 namespace robotui::rt::hal::gazebo {

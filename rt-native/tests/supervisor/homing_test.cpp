@@ -9,6 +9,8 @@
 #include <cstdio>
 #include <fstream>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "homing.h"
 
@@ -17,36 +19,40 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The simulated joint controller, at a free port, for as long as the test goes on.
-class JointController {
+// What simulates the other side of a HAL, until the test is over. `format` is that of what it says when it is ready.
+class OtherSide {
  public:
-  explicit JointController(const fs::path& config) {
+  OtherSide(const std::string& name, const std::vector<std::string>& options, const char* format) {
     int ends[2];
     if (::pipe(ends) != 0) throw std::runtime_error("no pipe");
     pid_ = ::fork();
     if (pid_ == 0) {
       ::prctl(PR_SET_PDEATHSIG, SIGKILL);
       ::dup2(ends[1], STDOUT_FILENO);
-      const std::string program = std::string(RT_BIN) + "/robotui-rt-joints";
-      ::execl(program.c_str(), program.c_str(), "-C", config.c_str(), "--port", "0", nullptr);
+      std::string program = std::string(RT_BIN) + "/" + name;
+      std::vector<std::string> words = options;
+      std::vector<char*> raw{program.data()};
+      for (std::string& word : words) raw.push_back(word.data());
+      raw.push_back(nullptr);
+      ::execv(program.c_str(), raw.data());
       ::_exit(127);
     }
     ::close(ends[1]);
     const std::unique_ptr<FILE, int (*)(FILE*)> said(::fdopen(ends[0], "r"), ::fclose);
-    if (std::fscanf(said.get(), "port %d", &port_) != 1) throw std::runtime_error("robotui-rt-joints did not start");
+    if (std::fscanf(said.get(), format, &number_) != 1) throw std::runtime_error(name + " did not start");
   }
-  ~JointController() {
-    ::kill(pid_, SIGKILL);
+  ~OtherSide() {
+    ::kill(pid_, SIGTERM);
     ::waitpid(pid_, nullptr, 0);
   }
-  JointController(const JointController&) = delete;
-  JointController& operator=(const JointController&) = delete;
+  OtherSide(const OtherSide&) = delete;
+  OtherSide& operator=(const OtherSide&) = delete;
 
-  int port() const noexcept { return port_; }
+  int number() const noexcept { return number_; }
 
  private:
   pid_t pid_ = -1;
-  int port_ = 0;
+  int number_ = 0;
 };
 
 // A robot of somebody else, with no more than a configuration needs.
@@ -71,10 +77,20 @@ TEST_P(OneHoming, TakesTheRobotHome) {
   const std::string robot = GetParam().first;
   const std::string hardware = GetParam().second;
   YAML::Node config = shipped(robot, hardware);
-  std::unique_ptr<JointController> controller;
+  const std::string file = (fs::path(RT_CONFIGS) / robot / ("rt-" + hardware + ".yaml")).string();
+  std::unique_ptr<OtherSide> other;
   if (hardware == "udp") {
-    controller = std::make_unique<JointController>(fs::path(RT_CONFIGS) / robot / "rt-udp.yaml");
-    config["HALInterface"]["params"]["port"] = controller->port();
+    other = std::make_unique<OtherSide>("robotui-rt-joints", std::vector<std::string>{"-C", file, "--port", "0"},
+                                        "port %d");
+    config["HALInterface"]["params"]["port"] = other->number();
+  }
+  if (hardware == "canopen") {
+    const std::string bus = "unix:" + (fs::temp_directory_path() / ("can-" + std::to_string(::getpid()))).string();
+    other = std::make_unique<OtherSide>("robotui-rt-drives", std::vector<std::string>{"-C", file, "--interface", bus},
+                                        "drives %d");
+    config["HALInterface"]["params"]["interface"] = bus;
+    config["HALInterface"]["params"]["missed_pdos"] = 1000;
+    config["HALInterface"]["params"]["heartbeat_timeout_ms"] = 20'000;
   }
   if (hardware == "mujoco") {
 #ifndef RT_WITH_MUJOCO
@@ -87,8 +103,9 @@ TEST_P(OneHoming, TakesTheRobotHome) {
 
 INSTANTIATE_TEST_SUITE_P(Everywhere, OneHoming,
                          ::testing::Values(std::pair{"arm", "dummy"}, std::pair{"arm", "mujoco"},
-                                           std::pair{"arm", "udp"}, std::pair{"humanoid", "dummy"},
-                                           std::pair{"humanoid", "mujoco"}, std::pair{"humanoid", "udp"}),
+                                           std::pair{"arm", "udp"}, std::pair{"arm", "canopen"},
+                                           std::pair{"humanoid", "dummy"}, std::pair{"humanoid", "mujoco"},
+                                           std::pair{"humanoid", "udp"}),
                          [](const auto& which) { return std::string(which.param.first) + "_" + which.param.second; });
 
 class ForeignRobots : public ::testing::Test {

@@ -9,7 +9,7 @@
 
 #include "messages.h"
 #include "newest.h"
-#include "notices.h"
+#include "../notices.h"
 #include "stamp_gate.h"
 
 namespace robotui::rt::hal::gazebo {

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "drive.h"
+#include "../one_way.h"
 #include "topics.h"
 #include "transport.h"
 

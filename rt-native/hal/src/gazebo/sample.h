@@ -4,15 +4,10 @@
 #include <array>
 #include <cstdint>
 
+#include "../one_way.h"
 #include "robotui/rt/link/layout.h"
 
 namespace robotui::rt::hal::gazebo {
-
-struct JointSample {
-  double position;
-  double velocity;
-  double effort;
-};
 
 struct Sample {
   std::int64_t stamp_ns;  // simulated time

@@ -8,7 +8,7 @@
 
 #include "messages.h"
 #include "newest.h"
-#include "notices.h"
+#include "../notices.h"
 #include "robotui/rt/link/clock.h"
 
 namespace robotui::rt::hal::gazebo {

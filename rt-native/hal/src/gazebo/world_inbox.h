@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "messages.h"
-#include "notices.h"
+#include "../notices.h"
 
 namespace robotui::rt::hal::gazebo {
 

@@ -88,7 +88,7 @@ enum class SafeLaw : std::uint8_t { kDamping, kGravity };  // what joints in eff
 
 // NOLINTNEXTLINE(bugprone-exception-escape): a YAML::Node can only be copied, which throws of one that is not there
 struct HalConfig {
-  std::string type = "dummy";  // dummy, mujoco, gazebo, udp, ethercat or library
+  std::string type = "dummy";  // dummy, mujoco, gazebo, udp, canopen, ethercat or library
   std::filesystem::path lib_file;
   std::string lib_name;
   int misses_before_safe = 2;

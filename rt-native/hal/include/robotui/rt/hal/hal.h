@@ -56,11 +56,15 @@ class Hal {
   // What a user should know of the hardware since the last call: sentences. Called some times a second between open()
   // and close(), on the ordinary thread, so it may block and allocate.
   virtual std::vector<std::string> news() { return {}; }
+
+  // A user asks to bring parts of the hardware back that do not come back by themselves, such as a drive after a fault.
+  // Sentences of what was done. On the ordinary thread, between open() and close(); it may block for some seconds.
+  virtual std::vector<std::string> recover() { return {"This kind of HAL has nothing that is to be brought back."}; }
 };
 
 // What the library of a HAL of one's own exports, by ROBOTUI_RT_HAL(Class): its `lib_file` stands in the configuration.
 // A library of another number, or that was built another way, is refused.
-inline constexpr std::uint32_t kHalAbi = 4;
+inline constexpr std::uint32_t kHalAbi = 5;
 
 // Of this source file: internal linkage, so that no other file's list takes its place.
 constexpr link::AbiFact kHalFacts[] = {

@@ -13,7 +13,7 @@ namespace robotui::rt::supervisor {
 
 class RobotRequests {
  public:
-  RobotRequests(const config::RobotDescription& robot, const HalProcess& hal, const HostSupervisor& hosts,
+  RobotRequests(const config::RobotDescription& robot, HalProcess& hal, const HostSupervisor& hosts,
                 const BoardPublisher& board, ClientReplies& replies)
       : robot_(robot), hal_(hal), hosts_(hosts), board_(board), replies_(replies) {}
 
@@ -23,9 +23,12 @@ class RobotRequests {
   // at the end.
   void describe(std::uint64_t client, std::string_view words);
 
+  // Bring back what of the hardware does not come back by itself. What becomes of it is said in the log.
+  void recover(std::uint64_t client);
+
  private:
   const config::RobotDescription& robot_;
-  const HalProcess& hal_;
+  HalProcess& hal_;
   const HostSupervisor& hosts_;
   const BoardPublisher& board_;
   ClientReplies& replies_;

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace robotui::rt::hal::gazebo {
+namespace robotui::rt::hal {
 
 // From all ordinary threads; never from the one of real time.
 class Notices {
@@ -37,4 +37,4 @@ class Notices {
   std::vector<std::string> sentences_;
 };
 
-}  // namespace robotui::rt::hal::gazebo
+}  // namespace robotui::rt::hal

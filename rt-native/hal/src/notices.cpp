@@ -4,7 +4,7 @@
 
 #include "robotui/rt/link/clock.h"
 
-namespace robotui::rt::hal::gazebo {
+namespace robotui::rt::hal {
 
 namespace {
 
@@ -53,4 +53,4 @@ std::vector<std::string> Notices::take() {
   return std::exchange(sentences_, {});
 }
 
-}  // namespace robotui::rt::hal::gazebo
+}  // namespace robotui::rt::hal

@@ -1,8 +1,8 @@
-#include "drive.h"
+#include "one_way.h"
 
 #include <algorithm>
 
-namespace robotui::rt::hal::gazebo {
+namespace robotui::rt::hal {
 
 namespace {
 
@@ -29,4 +29,4 @@ Command commandOf(const Reference& reference, const JointSample& measured, bool 
   return {Way::kNone, 0};
 }
 
-}  // namespace robotui::rt::hal::gazebo
+}  // namespace robotui::rt::hal

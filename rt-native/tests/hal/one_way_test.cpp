@@ -1,8 +1,8 @@
-#include "drive.h"
+#include "one_way.h"
 
 #include <gtest/gtest.h>
 
-namespace robotui::rt::hal::gazebo {
+namespace robotui::rt::hal {
 namespace {
 
 constexpr JointSample kMeasured{0.5, 0.25, 0};
@@ -35,4 +35,4 @@ TEST(GazeboDrive, without_a_controller_of_efforts_a_stiffness_has_no_effect) {
 }
 
 }  // namespace
-}  // namespace robotui::rt::hal::gazebo
+}  // namespace robotui::rt::hal
