@@ -8,6 +8,7 @@ import org.robotui.data.array.Bytes;
 import org.robotui.data.array.Doubles;
 import org.robotui.data.array.Floats;
 import org.robotui.data.geometry.Wrench;
+import org.robotui.data.image.CompressedImage;
 import org.robotui.data.image.PixelEncoding;
 import org.robotui.data.image.RawImage;
 import org.robotui.data.navigation.Odometry;
@@ -19,6 +20,7 @@ import org.robotui.geometry.Quaternion;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
 import org.robotui.yarp.bottle.Bottle;
+import org.robotui.yarp.bottle.YarpValue;
 import org.robotui.yarp.image.YarpImage;
 
 /**
@@ -137,6 +139,14 @@ public final class YarpSensing {
     } catch (IOException e) {
       throw new IllegalArgumentException(e.getMessage(), e);
     }
+  }
+
+  /** A bottle of one blob, as pictures by mjpeg are. */
+  public static CompressedImage jpeg(Bottle m, FrameId frame) {
+    if (m.get(0) instanceof YarpValue.Blob blob) {
+      return new CompressedImage(frame, "jpeg", Bytes.wrap(blob.bytes(), 0, blob.bytes().length));
+    }
+    throw new IllegalArgumentException("what came is no JPEG file");
   }
 
   private static double finite(Bottle m, int index) {

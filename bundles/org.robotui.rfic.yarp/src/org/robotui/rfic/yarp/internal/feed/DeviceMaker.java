@@ -14,6 +14,7 @@ import org.robotui.data.FrameId;
 import org.robotui.data.Stamp;
 import org.robotui.data.command.VelocityCommand;
 import org.robotui.data.geometry.Wrench;
+import org.robotui.data.image.CompressedImage;
 import org.robotui.data.image.RawImage;
 import org.robotui.data.navigation.Odometry;
 import org.robotui.data.navigation.PoseEstimate;
@@ -47,8 +48,7 @@ final class DeviceMaker implements AutoCloseable {
     switch (kind) {
       case LASER -> feed(name, LaserScan.class, "what the scanner sees", true,
           (m, stamp) -> YarpSensing.scan(m, middle(name)));
-      case CAMERA -> feed(name, RawImage.class, "what the camera sees", true,
-          (m, stamp) -> YarpSensing.image(m, middle(name)));
+      case CAMERA -> camera(name);
       case IMU -> feed(name, Imu.class, "orientation, turning and acceleration", false,
           (m, stamp) -> YarpSensing.imu(m, middle(name)));
       case WRENCH -> feed(name, Wrench.class, "forces and torques", false,
@@ -69,8 +69,27 @@ final class DeviceMaker implements AutoCloseable {
   }
 
   private <D extends Data> void feed(String name, Class<D> type, String help, boolean placed, Simple<D> making) {
-    PortFeed feed = new PortFeed(wires, name, address(name), placed);
+    PortFeed feed = new PortFeed(wires, name, address(name), placed, told(name));
     feed.offer(free(wires.port(name), name), type, help, (m, stamp) -> Optional.of(making.of(m, stamp)));
+    devices.add(name, feed);
+  }
+
+  private PortAsking told(String name) {
+    return new ToldPort(wires, carrier(name).told());
+  }
+
+  private StreamCarrier carrier(String name) {
+    return wires.settings().carriers().getOrDefault(name, wires.settings().carrier());
+  }
+
+  private void camera(String name) {
+    if (carrier(name) != StreamCarrier.MJPEG) {
+      feed(name, RawImage.class, "what the camera sees", true, (m, stamp) -> YarpSensing.image(m, middle(name)));
+      return;
+    }
+    PortFeed feed = new PortFeed(wires, name, address(name), true, new PulledPort(wires, name, devices));
+    feed.offer(free(wires.port(name), name), CompressedImage.class, name + ": what the camera sees",
+        (m, stamp) -> Optional.of(YarpSensing.jpeg(m, middle(name))));
     devices.add(name, feed);
   }
 
@@ -87,7 +106,7 @@ final class DeviceMaker implements AutoCloseable {
     String device = Wires.device(name);
     String chain = wires.port(device);
     chain = taken.add(chain + "/control") && taken.add(chain + "/model") ? chain : device;
-    PortFeed feed = new PortFeed(wires, name, address(name), false);
+    PortFeed feed = new PortFeed(wires, name, address(name), false, told(name));
     BoardFeed board = new BoardFeed(wires, feed, free(wires.port(name), name), chain,
         () -> devices.address(device + "/rpc:i"));
     boards.add(board);
