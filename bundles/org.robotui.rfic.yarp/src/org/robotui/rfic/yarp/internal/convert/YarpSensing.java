@@ -149,7 +149,7 @@ public final class YarpSensing {
     throw new IllegalArgumentException("what came is no JPEG file");
   }
 
-  private static double finite(Bottle m, int index) {
+  static double finite(Bottle m, int index) {
     double value = m.get(index).number();
     if (!Double.isFinite(value)) {
       throw new IllegalArgumentException("value " + (index + 1) + " is " + m.get(index) + ", which is no number");
@@ -157,7 +157,7 @@ public final class YarpSensing {
     return value;
   }
 
-  private static double degrees(Bottle m, int index) {
+  static double degrees(Bottle m, int index) {
     return Math.toRadians(finite(m, index));
   }
 

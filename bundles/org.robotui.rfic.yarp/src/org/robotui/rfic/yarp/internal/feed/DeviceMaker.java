@@ -33,6 +33,7 @@ final class DeviceMaker implements AutoCloseable {
   private final Wires wires;
   private final YarpDevices devices;
   private final RobotFrames frames;
+  private final NavigationMaker navigation;
   private final List<Offer> commands = new CopyOnWriteArrayList<>();
   private final List<BoardFeed> boards = new CopyOnWriteArrayList<>();
   private final Set<String> taken = new HashSet<>(Set.of("tf")); // only on the thread that follows
@@ -42,6 +43,7 @@ final class DeviceMaker implements AutoCloseable {
     this.wires = wires;
     this.devices = devices;
     this.frames = wires.frames();
+    this.navigation = new NavigationMaker(wires, devices, place -> located(place, Optional.empty()));
   }
 
   void make(String name, YarpDevice kind) {
@@ -60,6 +62,9 @@ final class DeviceMaker implements AutoCloseable {
           (m, stamp) -> new BottleRecord(name, m));
       case BOARD -> board(name);
       case VELOCITY -> velocity(name);
+      case NAVIGATION -> navigation.navigation(name, wires.port(Wires.device(name)));
+      case LOCALIZATION -> navigation.localization(name, wires.port(Wires.device(name)));
+      case MAPS -> navigation.maps(name, wires.port(Wires.device(name)));
       case RPC, NONE -> {}
     }
   }
@@ -115,7 +120,7 @@ final class DeviceMaker implements AutoCloseable {
   }
 
   private void velocity(String name) {
-    BaseDriver driver = new BaseDriver(wires, name, () -> address(name));
+    BaseDriver driver = new BaseDriver(wires, name, () -> address(name), navigation::halt);
     devices.add(driver);
     commands.add(wires.context().offers().command(new CommandPort<>(wires.port(Wires.device(name)) + "/velocity",
         VelocityCommand.class, Arity.MANY, name + ": velocity of the base"), driver));
@@ -137,6 +142,7 @@ final class DeviceMaker implements AutoCloseable {
 
   private PoseEstimate located(Bottle m, Optional<Stamp> stamp) {
     PoseEstimate place = YarpSensing.place(m, frames.map());
+    navigation.at(m);
     odometry.ifPresent(base -> wires.tree().placed(frames.map(), frames.odom(),
         place.pose().times(base.inverse()), stamp));
     return place;
@@ -149,6 +155,7 @@ final class DeviceMaker implements AutoCloseable {
 
   @Override
   public void close() {
+    navigation.close();
     commands.forEach(Offer::close);
   }
 }
