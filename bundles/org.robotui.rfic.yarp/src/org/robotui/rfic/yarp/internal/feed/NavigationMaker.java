@@ -7,11 +7,17 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import org.robotui.api.port.Arity;
 import org.robotui.api.port.CommandPort;
 import org.robotui.api.port.Offer;
+import org.robotui.api.port.StreamPort;
+import org.robotui.api.session.AskedStream;
+import org.robotui.api.session.PlaceCommands;
+import org.robotui.data.Data;
+import org.robotui.data.geometry.Pose;
 import org.robotui.data.navigation.GridMap;
 import org.robotui.data.navigation.NavigationGoal;
 import org.robotui.data.navigation.NavigationStatus;
@@ -33,8 +39,8 @@ final class NavigationMaker implements AutoCloseable {
   private final YarpDevices devices;
   private final Function<Bottle, PoseEstimate> located;
   private final List<Offer> commands = new CopyOnWriteArrayList<>();
-  private final List<AutoCloseable> feeds = new CopyOnWriteArrayList<>();
-  private final List<PlaceSender<?>> senders = new CopyOnWriteArrayList<>();
+  private final List<AskedStream<?>> feeds = new CopyOnWriteArrayList<>();
+  private final List<PlaceCommands<?>> senders = new CopyOnWriteArrayList<>();
   private final AtomicReference<Optional<String>> map = new AtomicReference<>(Optional.empty());
 
   /** What is said of a place is made into a pose by what is given. */
@@ -51,16 +57,20 @@ final class NavigationMaker implements AutoCloseable {
 
   void navigation(String name, String port) {
     AtomicReference<NavigationStatus.State> last = new AtomicReference<>(NavigationStatus.State.SUCCEEDED);
-    AskedFeed<NavigationStatus> status = new AskedFeed<>(wires, name, where(name),
-        AskedFeed.port(port + "/status", NavigationStatus.class, name + ": how far the goal is"), OFTEN,
-        asking -> changed(answered(asking, "get_navigation_status_RPC"), last));
-    PlaceSender<NavigationGoal> sender = new PlaceSender<>(wires, "goto_target_by_absolute_location_RPC",
-        Optional.of("stop_navigation_RPC"), name, where(name), this::current,
+    AskedStream<NavigationStatus> status = asked(name, port + "/status", NavigationStatus.class,
+        "how far the goal is", OFTEN, asking -> changed(answered(asking, "get_navigation_status_RPC"), last));
+    PlaceCommands<NavigationGoal> sender = places(name,
+        new PlaceSender<>(wires, where(name), "goto_target_by_absolute_location_RPC", Optional.of("stop_navigation_RPC"),
+            this::current),
         reason -> status.publish(new NavigationStatus("", NavigationStatus.State.REJECTED, reason)));
-    feeds.add(status);
-    senders.add(sender);
     commands.add(wires.context().offers().command(new CommandPort<>(port + "/goal", NavigationGoal.class, Arity.MANY,
         name + ": where the robot shall go, on the map"), sender));
+  }
+
+  private <C extends Pose> PlaceCommands<C> places(String name, PlaceSender<C> sender, Consumer<String> refused) {
+    PlaceCommands<C> places = new PlaceCommands<>(name, wires.frames().map(), wires.workers()::start, sender, refused);
+    senders.add(places);
+    return places;
   }
 
   /** Idle after it was on its way means that somebody has stopped it. */
@@ -74,24 +84,30 @@ final class NavigationMaker implements AutoCloseable {
   }
 
   void localization(String name, String port) {
-    AskedFeed<PoseEstimate> position = new AskedFeed<>(wires, name, where(name),
-        AskedFeed.port(port + "/position", PoseEstimate.class, name + ": where it is on the map"), OFTEN, asking -> {
+    AskedStream<PoseEstimate> position =
+        asked(name, port + "/position", PoseEstimate.class, "where it is on the map", OFTEN, asking -> {
           Bottle place = answered(asking, POSITION).get(1).items();
           at(place);
           return Optional.of(located.apply(place));
         });
-    PlaceSender<PoseEstimate> sender = new PlaceSender<>(wires, "set_initial_pose1_RPC", Optional.empty(), name,
-        where(name), this::current, position::failed);
-    feeds.add(position);
-    senders.add(sender);
+    PlaceCommands<PoseEstimate> sender = places(name,
+        new PlaceSender<>(wires, where(name), "set_initial_pose1_RPC", Optional.empty(), this::current),
+        position::failed);
     commands.add(wires.context().offers().command(new CommandPort<>(port + "/initial_pose", PoseEstimate.class,
         Arity.MANY, name + ": where the robot is, on the map"), sender));
   }
 
   void maps(String name, String port) {
-    feeds.add(new AskedFeed<>(wires, name, where(name),
-        AskedFeed.port(port + "/map", GridMap.class, name + ": the map on which the robot is, else the first one"),
-        SELDOM, this::fetch));
+    asked(name, port + "/map", GridMap.class, "the map on which the robot is, else the first one", SELDOM, this::fetch);
+  }
+
+  private <D extends Data> AskedStream<D> asked(String name, String port, Class<D> type, String help, Duration pace,
+      AskedFeed.Making<D> making) {
+    AskedStream<D> stream = new AskedStream<>(wires.context(),
+        new StreamPort<>(port, type, Arity.MANY, name + ": " + help), pace, wires.workers()::start,
+        () -> new AskedFeed<>(wires, PortCall.connect(where(name).get(), wires.own() + "/rpc", wires.options()), making));
+    feeds.add(stream);
+    return stream;
   }
 
   private Optional<GridMap> fetch(AskedFeed.Questions asking) throws IOException {
@@ -138,19 +154,13 @@ final class NavigationMaker implements AutoCloseable {
 
   /** Stops what we sent on its way. */
   void halt() {
-    senders.forEach(PlaceSender::halt);
+    senders.forEach(PlaceCommands::halt);
   }
 
   @Override
   public void close() {
-    senders.forEach(PlaceSender::close);
+    senders.forEach(PlaceCommands::close);
     commands.forEach(Offer::close);
-    for (AutoCloseable feed : feeds) {
-      try {
-        feed.close();
-      } catch (Exception e) {
-        throw new IllegalStateException(e);
-      }
-    }
+    feeds.forEach(AskedStream::close);
   }
 }
