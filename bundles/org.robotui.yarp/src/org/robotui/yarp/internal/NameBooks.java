@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ThreadLocalRandom;
 import org.robotui.net.socket.HostPort;
 import org.robotui.yarp.bottle.Bottle;
 import org.robotui.yarp.name.YarpAddress;
@@ -20,6 +21,7 @@ public final class NameBooks {
   private static final String LAST = "*** end of message" + TextLines.END;
   private static final String MADE_UP = "...";
   private static final int REGISTER = 5;
+  private static final int BYTE = 255;
 
   private final NavigableMap<String, YarpAddress> ports = new TreeMap<>(); // guarded by this
   private final Map<String, TreeSet<String>> properties = new ConcurrentHashMap<>();
@@ -61,22 +63,31 @@ public final class NameBooks {
     return Optional.ofNullable(ports.get(name));
   }
 
-  /** {@code register NAME tcp HOST PORT}; dots stand for what the server chooses. */
+  /** {@code register NAME CARRIER HOST PORT}; dots, and the port 0, stand for what the server chooses. */
   private synchronized Optional<YarpAddress> register(String[] words) {
     if (words.length < 2 || ports.size() >= MOST) {
       return Optional.empty();
     }
     String name = words[1].equals(MADE_UP) ? "/tmp/port/" + ports.size() : words[1];
-    String host = words.length < REGISTER || words[3].equals(MADE_UP) ? "127.0.0.1" : words[3];
-    String port = words.length < REGISTER || words[REGISTER - 1].equals(MADE_UP) ? "" : words[REGISTER - 1];
+    boolean shared = words.length >= REGISTER && words[2].equals("mcast");
+    String chosen = shared ? group() : "127.0.0.1";
+    String host = words.length < REGISTER || words[3].equals(MADE_UP) ? chosen : words[3];
+    String port = words.length < REGISTER || words[REGISTER - 1].matches("\\.\\.\\.|0") ? "" : words[REGISTER - 1];
     try {
       YarpAddress address =
-          new YarpAddress(name, new HostPort(host, port.isEmpty() ? free() : Integer.parseInt(port)), "tcp");
+          new YarpAddress(name, new HostPort(host, port.isEmpty() ? free() : Integer.parseInt(port)),
+              shared ? "mcast" : "tcp");
       ports.put(name, address);
       return Optional.of(address);
     } catch (IllegalArgumentException e) {
       return Optional.empty();
     }
+  }
+
+  /** Two name servers in one network must not give out the same: any of a quarter of a million groups. */
+  private static String group() {
+    ThreadLocalRandom random = ThreadLocalRandom.current();
+    return "224." + random.nextInt(1, 5) + "." + random.nextInt(1, BYTE) + "." + random.nextInt(1, BYTE);
   }
 
   private int free() {

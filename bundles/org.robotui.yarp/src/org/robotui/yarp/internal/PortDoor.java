@@ -32,12 +32,14 @@ public final class PortDoor implements Closeable {
 
   private final Served served;
   private final TcpListener listener;
+  private final DatagramInputs datagrams;
   private final CloseableSet connections = new CloseableSet();
 
   /** Listens at once. */
   public PortDoor(InetAddress address, int port, Workers workers, Served served) throws IOException {
     listener = TcpListener.bind(address, port);
     this.served = served;
+    this.datagrams = new DatagramInputs(served, workers);
     String name = "yarp " + served.name();
     workers.start(name, () -> listener.acceptAll(name, socket -> accept(socket, workers, name)));
   }
@@ -65,7 +67,7 @@ public final class PortDoor implements Closeable {
       }
       in.unread(first);
       if (first == 'Y') {
-        binary(timed, in, socket.getOutputStream());
+        binary(timed, in, socket);
       } else {
         text(timed, in, socket.getOutputStream());
       }
@@ -76,8 +78,13 @@ public final class PortDoor implements Closeable {
     }
   }
 
-  private void binary(DeadlineInput timed, PushbackInputStream in, OutputStream out) throws IOException {
+  private void binary(DeadlineInput timed, PushbackInputStream in, Socket socket) throws IOException {
     YarpFraming.Header header = YarpFraming.readHeader(in);
+    if (header.carrier().datagrams()) {
+      datagrams.open(header, socket, in);
+      return;
+    }
+    OutputStream out = socket.getOutputStream();
     out.write(YarpFraming.mark(port()));
     served.opened(header.name());
     String reason = "it was closed";
@@ -130,9 +137,15 @@ public final class PortDoor implements Closeable {
     }
   }
 
+  /** Takes nothing more of who says something by datagrams; false where it does not. */
+  public boolean end(String from) {
+    return datagrams.end(from);
+  }
+
   @Override
   public void close() {
     listener.close();
+    datagrams.close();
     connections.close();
   }
 }

@@ -24,8 +24,11 @@ public interface Served {
   /** A question to a name server, which ends the connection; empty where this is none. */
   Optional<String> names(String line);
 
-  /** Somebody has connected by tcp or fast_tcp. */
+  /** Somebody has connected, by another carrier than text. */
   void opened(String from);
+
+  /** Something of who is connected did not arrive, or not as it was said. */
+  void lost(String from, String reason);
 
   /** Who was connected is so no more. */
   void ended(String from, String reason);

@@ -70,6 +70,18 @@ public record NameClient(HostPort server, SocketFactory sockets, Duration patien
   }
 
   /**
+   * Registers a group for datagrams that several ports shall receive, which the name server chooses.
+   *
+   * @return under which name, and where; to be unregistered
+   * @throws IOException where the name server does not answer, or gives none
+   */
+  public YarpAddress group() throws IOException {
+    List<String> answer = ask("register ... mcast ... 0");
+    return addresses(answer).stream().findFirst().orElseThrow(() -> new IOException(
+        server + " gave no group for datagrams: " + PeerText.brief(String.join(" ", answer))));
+  }
+
+  /**
    * Forgets a port.
    *
    * @param name of the port, which need not be registered

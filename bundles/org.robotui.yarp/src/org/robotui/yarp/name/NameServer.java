@@ -109,6 +109,11 @@ public final class NameServer implements AutoCloseable {
     }
 
     @Override
+    public void lost(String from, String reason) {
+      // whoever asks by datagrams is not answered
+    }
+
+    @Override
     public void ended(String from, String reason) {
       // nothing is kept of who asks
     }

@@ -1,6 +1,7 @@
 package org.robotui.yarp.port;
 
 import java.io.IOException;
+import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.time.Duration;
 import java.util.LinkedHashMap;
@@ -14,6 +15,7 @@ import org.robotui.net.socket.DeadlineInput;
 import org.robotui.net.socket.HostPort;
 import org.robotui.net.socket.Sockets;
 import org.robotui.net.thread.Workers;
+import org.robotui.yarp.internal.DatagramOutput;
 import org.robotui.yarp.internal.Dialing;
 import org.robotui.yarp.wire.YarpCarrier;
 import org.robotui.yarp.wire.YarpFraming;
@@ -32,6 +34,7 @@ public final class PortStream implements AutoCloseable {
 
   private final HostPort where;
   private final YarpFraming.Header header;
+  private final Optional<InetSocketAddress> group;
   private final PortOptions options;
   private final Map<String, Waiting> waiting = new LinkedHashMap<>(); // guarded by this, as the following
   private boolean finishing;
@@ -40,7 +43,7 @@ public final class PortStream implements AutoCloseable {
   private final AtomicReference<Optional<String>> over = new AtomicReference<>(Optional.empty());
 
   /**
-   * Begins to connect.
+   * Begins to connect, by any carrier but mcast.
    *
    * @param where the port listens
    * @param carrier by which
@@ -49,7 +52,23 @@ public final class PortStream implements AutoCloseable {
    * @param workers run its thread
    */
   public PortStream(HostPort where, YarpCarrier carrier, String name, PortOptions options, Workers workers) {
+    this(where, carrier, Optional.empty(), name, options, workers);
+  }
+
+  /**
+   * Begins to connect.
+   *
+   * @param where the port listens
+   * @param carrier by which
+   * @param group where datagrams are sent that several ports receive; for mcast only
+   * @param name of who tells
+   * @param options of connections
+   * @param workers run its thread
+   */
+  public PortStream(HostPort where, YarpCarrier carrier, Optional<InetSocketAddress> group, String name,
+      PortOptions options, Workers workers) {
     this.where = where;
+    this.group = group;
     this.header = new YarpFraming.Header(carrier, name);
     this.options = options;
     workers.start("yarp to " + where, this::run);
@@ -76,6 +95,10 @@ public final class PortStream implements AutoCloseable {
     DeadlineInput in = new DeadlineInput(connected, BUFFER);
     in.within(options.patience());
     connected.getOutputStream().write(YarpFraming.bytes(header));
+    if (header.carrier().datagrams()) {
+      datagrams(connected, in);
+      return;
+    }
     YarpFraming.readMark(in);
     for (Optional<YarpMessage> next = take(); next.isPresent(); next = take()) {
       in.within(options.patience());
@@ -85,6 +108,17 @@ public final class PortStream implements AutoCloseable {
       }
     }
     connected.getOutputStream().write(YarpFraming.bytes(YarpMessage.quit()));
+  }
+
+  /** The connection is of no use any more. The end is said apart from it, as no datagram tells it for certain. */
+  private void datagrams(Socket connected, DeadlineInput in) throws IOException, InterruptedException {
+    try (DatagramOutput output = DatagramOutput.open(connected, in, group)) {
+      Sockets.closeQuietly(connected);
+      for (Optional<YarpMessage> next = take(); next.isPresent(); next = take()) {
+        output.send(next.get());
+      }
+    }
+    new PortAdmin(options).disconnect(where, header.name());
   }
 
   private synchronized Optional<YarpMessage> take() throws InterruptedException {

@@ -2,6 +2,7 @@ package org.robotui.yarp.port;
 
 import java.io.IOException;
 import java.net.InetAddress;
+import java.net.InetSocketAddress;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Collection;
@@ -33,7 +34,7 @@ import org.robotui.yarp.wire.YarpStamp;
  */
 public final class YarpPort implements AutoCloseable {
   /** The carriers by which it is reached. */
-  public static final Set<String> ACCEPTS = Set.of("tcp", "fast_tcp", "text", "text_ack");
+  public static final Set<String> ACCEPTS = Set.of("tcp", "fast_tcp", "udp", "mcast", "text", "text_ack");
 
   private static final Duration END = Duration.ofSeconds(1);
   private static final String SEPARATOR = "://";
@@ -47,6 +48,7 @@ public final class YarpPort implements AutoCloseable {
   private final Map<String, PortStream> targets = new ConcurrentSkipListMap<>();
   private final Collection<String> sources = new CopyOnWriteArrayList<>();
   private final Map<String, YarpCarrier> carriers = new ConcurrentHashMap<>();
+  private Optional<YarpAddress> group = Optional.empty(); // guarded by carriers
   private volatile boolean closed;
 
   /**
@@ -89,7 +91,7 @@ public final class YarpPort implements AutoCloseable {
   }
 
   /**
-   * Who is connected to it by tcp or fast_tcp.
+   * Who is connected to it, by another carrier than text. Who says something by datagrams may have gone unnoticed.
    *
    * @return names of ports, or words
    */
@@ -112,15 +114,29 @@ public final class YarpPort implements AutoCloseable {
    * @param target the name of the other port
    * @param where it listens
    * @param carrier by which
+   * @throws IOException where no name server gives a group that mcast needs
    */
-  public void connect(String target, HostPort where, YarpCarrier carrier) {
+  public void connect(String target, HostPort where, YarpCarrier carrier) throws IOException {
     if (closed) {
       return;
     }
+    Optional<InetSocketAddress> shared =
+        carrier == YarpCarrier.MCAST ? Optional.of(group()) : Optional.empty();
     carriers.put(target, carrier);
-    PortStream before = targets.put(target, new PortStream(where, carrier, name, options, workers));
+    PortStream before = targets.put(target, new PortStream(where, carrier, shared, name, options, workers));
     if (before != null) {
       before.close();
+    }
+  }
+
+  private InetSocketAddress group() throws IOException {
+    NameClient server = names.orElseThrow(() -> new IOException("mcast needs a name server"));
+    synchronized (carriers) {
+      if (group.isEmpty()) {
+        group = Optional.of(server.group());
+      }
+      HostPort where = group.get().where();
+      return new InetSocketAddress(InetAddress.getByName(where.host()), where.port());
     }
   }
 
@@ -153,7 +169,14 @@ public final class YarpPort implements AutoCloseable {
     byte[] bytes = BottleCodec.bytes(bottle);
     YarpMessage message =
         stamp.map(envelope -> YarpMessage.of(envelope, bytes)).orElseGet(() -> YarpMessage.of(bytes));
-    targets.values().forEach(target -> target.post(name, message, Duration.ZERO));
+    boolean shared = false; // one stream says it to the whole group
+    for (Map.Entry<String, PortStream> target : targets.entrySet()) {
+      boolean mcast = carriers.get(target.getKey()) == YarpCarrier.MCAST;
+      if (!mcast || !shared) {
+        target.getValue().post(name, message, Duration.ZERO);
+      }
+      shared |= mcast;
+    }
   }
 
   /** What its door calls. */
@@ -194,6 +217,9 @@ public final class YarpPort implements AutoCloseable {
       if (line.startsWith("!")) {
         return remove(line.substring(1)) + TextLines.END;
       }
+      if (line.startsWith("~")) {
+        return hush(line.substring(1)) + TextLines.END;
+      }
       return line.startsWith("*") ? status() : "";
     }
 
@@ -213,7 +239,7 @@ public final class YarpPort implements AutoCloseable {
         String other = command.get(command.size() - 1).text();
         return switch (command.get(0).text()) {
           case "add" -> answer(add(other), "Added");
-          case "del" -> answer(remove(other), "Removed");
+          case "del" -> answer(disconnect(other) ? removed(other) : hush(other), "Removed");
           case "list" -> list(command);
           case "help" -> "[add] [del] [list] [help]";
           default -> "-1 \"this port takes [add], [del] and [list]\"";
@@ -248,7 +274,11 @@ public final class YarpPort implements AutoCloseable {
       if (found.isEmpty() || by.isEmpty()) {
         return "Do not know how to connect to " + written;
       }
-      connect(target, found.get().where(), by.get());
+      try {
+        connect(target, found.get().where(), by.get());
+      } catch (IOException e) {
+        return "Cannot connect to " + written + ": " + e.getMessage();
+      }
       return "Added connection from " + name + " to " + written;
     }
 
@@ -261,8 +291,17 @@ public final class YarpPort implements AutoCloseable {
     }
 
     private String remove(String target) {
-      return disconnect(target) ? "Removed connection from " + name + " to " + target
-          : "Could not find an outgoing connection to " + target;
+      return disconnect(target) ? removed(target) : "Could not find an outgoing connection to " + target;
+    }
+
+    private String removed(String target) {
+      return "Removed connection from " + name + " to " + target;
+    }
+
+    /** Who says something by datagrams tells in this way that it ends. */
+    private String hush(String source) {
+      return door.end(source) ? "Removed connection from " + source + " to " + name
+          : "Could not find a connection with " + source;
     }
 
     @Override
@@ -273,6 +312,11 @@ public final class YarpPort implements AutoCloseable {
     @Override
     public void opened(String from) {
       sources.add(from);
+    }
+
+    @Override
+    public void lost(String from, String reason) {
+      reader.unreadable(from, reason);
     }
 
     @Override
@@ -287,9 +331,20 @@ public final class YarpPort implements AutoCloseable {
   public void close() {
     closed = true;
     door.close();
+    synchronized (carriers) {
+      group.ifPresent(shared -> workers.start("yarp forgets " + shared.name(), () -> forget(shared)));
+    }
     List<PortStream> open = new ArrayList<>(targets.values());
     targets.clear();
     open.forEach(PortStream::close);
     workers.join(System.nanoTime() + END.toNanos());
+  }
+
+  private void forget(YarpAddress shared) {
+    try {
+      names.orElseThrow().unregister(shared.name());
+    } catch (IOException e) {
+      // a name server that is gone has forgotten it
+    }
   }
 }

@@ -8,7 +8,11 @@ public enum YarpCarrier {
   /** Each message is acknowledged. */
   TCP("tcp", 0x1ee4),
   /** Nothing is acknowledged. */
-  FAST_TCP("fast_tcp", 0x1e64);
+  FAST_TCP("fast_tcp", 0x1e64),
+  /** Datagrams to one port; what gets lost is not said again. */
+  UDP("udp", 0x1e61),
+  /** Datagrams to a group, which all that listen to it share. */
+  MCAST("mcast", 0x1e62);
 
   private final String word;
   private final int specifier;
@@ -43,6 +47,15 @@ public enum YarpCarrier {
    */
   public boolean acknowledges() {
     return this == TCP;
+  }
+
+  /**
+   * Whether messages come in datagrams, after a handshake by TCP.
+   *
+   * @return false where the connection of the handshake carries them
+   */
+  public boolean datagrams() {
+    return this == UDP || this == MCAST;
   }
 
   static Optional<YarpCarrier> of(int specifier) {

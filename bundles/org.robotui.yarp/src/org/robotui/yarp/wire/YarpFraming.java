@@ -1,5 +1,6 @@
 package org.robotui.yarp.wire;
 
+import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.EOFException;
 import java.io.IOException;
@@ -10,6 +11,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.OptionalInt;
 import org.robotui.yarp.bottle.YarpFormatException;
 
 /** Headers, messages and acknowledgements as bytes. */
@@ -17,6 +19,8 @@ public final class YarpFraming {
 
   /** Bytes of an acknowledgement, and of the answer to a header. */
   public static final int MARK = 8;
+  /** Bytes that follow a header by mcast: four of the group's address, two of its port. */
+  public static final int GROUP = 6;
   /** The longest message that is taken. */
   public static final int LONGEST = 1 << 26;
   /** Where a name server listens unless it is told otherwise. */
@@ -54,7 +58,7 @@ public final class YarpFraming {
   public static Header readHeader(InputStream in) throws IOException {
     int specifier = readMark(in);
     YarpCarrier carrier = YarpCarrier.of(specifier).orElseThrow(() -> new YarpFormatException(
-        "the carrier with the number 0x" + Integer.toHexString(specifier) + " is not spoken; tcp and fast_tcp are"));
+        "the carrier with the number 0x" + Integer.toHexString(specifier) + " is not spoken; tcp, fast_tcp, udp and mcast are"));
     int length = int32(in);
     if (length < 1 || length > LONGEST_NAME) {
       throw new YarpFormatException("a name of " + length + " bytes; at most " + LONGEST_NAME + " are taken");
@@ -145,6 +149,42 @@ public final class YarpFraming {
    * @throws IOException where the connection breaks
    */
   public static YarpMessage read(InputStream in) throws IOException {
+    Index index = index(in);
+    List<Integer> blocks = index.blocks();
+    int reply = index.replies() == 0 ? 0 : int32(in);
+    int whole = blocks.stream().mapToInt(Integer::intValue).sum();
+    return split(exactly(in, whole), blocks, reply);
+  }
+
+  /**
+   * How many bytes a message has.
+   *
+   * @param begun its first bytes
+   * @return empty while they are too few to tell
+   * @throws YarpFormatException where they begin no message, or one that is too long
+   */
+  public static OptionalInt length(byte[] begun) throws YarpFormatException {
+    int lengths = MARK + INDEX;
+    if (begun.length < lengths) {
+      return OptionalInt.empty();
+    }
+    int head = lengths + ((begun[MARK] & BYTE) + (begun[MARK + 1] & BYTE)) * Integer.BYTES;
+    if (begun.length < head) {
+      return OptionalInt.empty();
+    }
+    try {
+      ByteArrayInputStream in = new ByteArrayInputStream(begun);
+      return OptionalInt.of(head + index(in).blocks().stream().mapToInt(Integer::intValue).sum());
+    } catch (YarpFormatException e) {
+      throw e;
+    } catch (IOException e) {
+      throw new YarpFormatException("an index that ends early");
+    }
+  }
+
+  private record Index(List<Integer> blocks, int replies) {}
+
+  private static Index index(InputStream in) throws IOException {
     int number = readMark(in);
     if (number != INDEX) {
       throw new YarpFormatException("an index of " + number + " bytes; those of YARP have " + INDEX);
@@ -154,10 +194,7 @@ public final class YarpFraming {
     if (replies > 1) {
       throw new YarpFormatException("an index announces " + replies + " replies; there is one at most");
     }
-    List<Integer> blocks = lengths(in, index[0] & BYTE);
-    int reply = replies == 0 ? 0 : int32(in);
-    int whole = blocks.stream().mapToInt(Integer::intValue).sum();
-    return split(exactly(in, whole), blocks, reply);
+    return new Index(lengths(in, index[0] & BYTE), replies);
   }
 
   private static List<Integer> lengths(InputStream in, int count) throws IOException {

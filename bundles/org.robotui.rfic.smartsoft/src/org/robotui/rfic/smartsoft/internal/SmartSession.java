@@ -18,6 +18,7 @@ import org.robotui.rfic.smartsoft.internal.call.SmartPorts;
 import org.robotui.rfic.smartsoft.internal.feed.NamingDirectory;
 import org.robotui.rfic.smartsoft.internal.feed.SmartServices;
 import org.robotui.rfic.smartsoft.internal.feed.SmartCommanding;
+import org.robotui.rfic.smartsoft.internal.feed.SmartNavigation;
 import org.robotui.rfic.smartsoft.internal.feed.SmartShared;
 import org.robotui.smartsoft.object.CommTypes;
 import org.robotui.smartsoft.wire.LinkOptions;
@@ -32,6 +33,7 @@ final class SmartSession implements RobotSession {
   private final PlacedFrames tree;
   private final Pulse pulse = new Pulse();
   private final SmartServices services;
+  private final SmartNavigation navigation;
   private final SmartCommanding commands;
   private final Offer calls;
   private final Offer graph;
@@ -48,7 +50,8 @@ final class SmartSession implements RobotSession {
     this.tree = new PlacedFrames(context, "smartsoft", frames.base());
     SmartShared shared = new SmartShared(context, settings, links, types, frames, tree, pulse);
     this.services = new SmartServices(shared, directory);
-    this.commands = new SmartCommanding(shared, services);
+    this.navigation = new SmartNavigation(shared, services);
+    this.commands = new SmartCommanding(shared, services, navigation::halt);
     this.calls = context.offers().call(SmartPorts.SERVICES, new SmartCalls(services, links));
     this.graph = context.offers().browse(SmartPorts.GRAPH, new SmartBrowser(services, types, links));
   }
@@ -71,6 +74,7 @@ final class SmartSession implements RobotSession {
     if (now - discoveredAt >= DISCOVER_NANOS) {
       discover();
       commands.look();
+      navigation.look();
       discoveredAt = now;
     }
     services.tick();
@@ -102,6 +106,7 @@ final class SmartSession implements RobotSession {
   @Override
   public void close() {
     directory.close();
+    navigation.close();
     commands.close();
     calls.close();
     graph.close();

@@ -1,7 +1,6 @@
 package org.robotui.rfic.yarp.internal;
 
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Map;
 import org.robotui.api.config.Schema;
 import org.robotui.api.config.Setting;
@@ -10,8 +9,8 @@ import org.robotui.api.config.TextRule;
 import org.robotui.api.config.ValueType;
 import org.robotui.api.session.BaseFrames;
 import org.robotui.net.socket.HostPort;
+import org.robotui.rfic.yarp.internal.feed.StreamCarrier;
 import org.robotui.rfic.yarp.internal.feed.YarpDevice;
-import org.robotui.yarp.wire.YarpCarrier;
 import org.robotui.yarp.wire.YarpFraming;
 
 /**
@@ -20,11 +19,12 @@ import org.robotui.yarp.wire.YarpFraming;
  * @param server where the name server listens
  * @param prefix what names of the robot's ports begin with
  * @param carrier by which ports shall say their messages
+ * @param carriers by which ports shall say theirs that are named
  * @param types what ports are, where their names do not tell
  * @param frames how the frames are called that carry all others
  */
-public record YarpSettings(HostPort server, String prefix, YarpCarrier carrier, Map<String, YarpDevice> types,
-    BaseFrames frames) {
+public record YarpSettings(HostPort server, String prefix, StreamCarrier carrier, Map<String, StreamCarrier> carriers,
+    Map<String, YarpDevice> types, BaseFrames frames) {
 
   private static final String VARIABLE = "YARP_NAMESERVER";
   private static final int LAST_PORT = 0xffff;
@@ -39,8 +39,10 @@ public record YarpSettings(HostPort server, String prefix, YarpCarrier carrier, 
       Setting.of("prefix", new ValueType.Text(PREFIX), "",
           "what names of this robot's ports begin with, where a name server serves several robots"),
       Setting.of("carrier",
-          new ValueType.Choice(List.of(YarpCarrier.FAST_TCP.word(), YarpCarrier.TCP.word())),
-          YarpCarrier.FAST_TCP.word(), "by which the robot's ports say their messages"),
+          new ValueType.Choice(StreamCarrier.words()), StreamCarrier.FAST_TCP.word(),
+          "by which the robot's ports say their messages; mjpeg is for pictures only"),
+      Setting.of("carriers", new ValueType.MapOf(new ValueType.Choice(StreamCarrier.words())), Map.of(),
+          "by which single ports say theirs, by their names"),
       Setting.of("types", new ValueType.MapOf(new ValueType.Choice(YarpDevice.words())), Map.of(),
           "what ports are, by their names, where the names do not tell"),
       BaseFrames.BASE, BaseFrames.ODOM, BaseFrames.MAP);
@@ -52,9 +54,11 @@ public record YarpSettings(HostPort server, String prefix, YarpCarrier carrier, 
         settings.has("port") ? (int) settings.integer("port") : told.port());
     Map<String, YarpDevice> types = new LinkedHashMap<>();
     settings.map("types").forEach((name, word) -> types.put(String.valueOf(name), YarpDevice.of(String.valueOf(word))));
-    return new YarpSettings(server, settings.text("prefix"),
-        settings.text("carrier").equals(YarpCarrier.TCP.word()) ? YarpCarrier.TCP : YarpCarrier.FAST_TCP,
-        Map.copyOf(types), BaseFrames.of(settings));
+    Map<String, StreamCarrier> carriers = new LinkedHashMap<>();
+    settings.map("carriers")
+        .forEach((name, word) -> carriers.put(String.valueOf(name), StreamCarrier.of(String.valueOf(word))));
+    return new YarpSettings(server, settings.text("prefix"), StreamCarrier.of(settings.text("carrier")),
+        Map.copyOf(carriers), Map.copyOf(types), BaseFrames.of(settings));
   }
 
   /**

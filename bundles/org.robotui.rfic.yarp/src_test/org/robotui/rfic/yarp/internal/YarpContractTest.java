@@ -23,6 +23,12 @@ class YarpContractTest {
     return contract(YarpCarrier.TCP);
   }
 
+  @TestFactory
+  Stream<DynamicTest> contract_by_udp() {
+    assumeTrue(Effort.isLong(), "long runs only: the suite waits a lot");
+    return contract(YarpCarrier.UDP);
+  }
+
   private static Stream<DynamicTest> contract(YarpCarrier carrier) {
     return RficContract.of(() -> new YarpPeer(carrier)).map(check -> dynamicTest(check.name(), () -> {
       assumeTrue(check.lacking().isEmpty(), () -> check.lacking().orElse(""));

@@ -3,13 +3,12 @@ package org.robotui.rfic.carmen.internal.convert;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.FloatBuffer;
-import java.util.zip.DataFormatException;
-import java.util.zip.Inflater;
 import org.robotui.carmen.message.IpcRecord;
 import org.robotui.data.FrameId;
 import org.robotui.data.array.Bytes;
 import org.robotui.data.navigation.GridMap;
 import org.robotui.geometry.RigidTransform;
+import org.robotui.net.packed.Zlib;
 
 /**
  * Grid maps. CARMEN sends probabilities as floats of the sender's machine, packed by zlib, column after column: all of
@@ -33,7 +32,7 @@ public final class CarmenGrids {
     }
     int cells = width * height;
     byte[] data = m.octets("data");
-    byte[] plain = m.whole("compressed") != 0 ? inflate(data, cells * Float.BYTES) : data;
+    byte[] plain = m.whole("compressed") != 0 ? Zlib.inflate(data, cells * Float.BYTES) : data;
     if (plain.length != cells * Float.BYTES) {
       throw new IllegalArgumentException(plain.length + " bytes are not those of " + cells + " cells");
     }
@@ -49,27 +48,5 @@ public final class CarmenGrids {
 
   private static byte occupancy(float probability) {
     return probability >= 0 && probability <= 1 ? (byte) Math.round(probability * CERTAIN) : GridMap.UNKNOWN;
-  }
-
-  private static byte[] inflate(byte[] packed, int expected) {
-    byte[] plain = new byte[expected];
-    Inflater inflater = new Inflater();
-    try {
-      inflater.setInput(packed);
-      int size = 0;
-      int got = 1;
-      while (size < expected && got > 0) {
-        got = inflater.inflate(plain, size, expected - size);
-        size += got;
-      }
-      if (size < expected) {
-        throw new IllegalArgumentException("the packed cells are " + size + " bytes of " + expected);
-      }
-      return plain;
-    } catch (DataFormatException e) {
-      throw new IllegalArgumentException("the cells are not packed by zlib: " + e.getMessage(), e);
-    } finally {
-      inflater.end();
-    }
   }
 }

@@ -1,10 +1,9 @@
 package org.robotui.rfic.player.internal.convert;
 
-import java.util.zip.DataFormatException;
-import java.util.zip.Inflater;
 import org.robotui.data.FrameId;
 import org.robotui.data.array.Bytes;
 import org.robotui.data.navigation.GridMap;
+import org.robotui.net.packed.Zlib;
 import org.robotui.player.interfaces.PlayerMap;
 
 /** Grids of cells, put together from tiles. */
@@ -41,7 +40,7 @@ public final class Maps {
               + " reaches beyond the map of " + info.width() + " x " + info.height());
     }
     int width = (int) tile.width();
-    byte[] packed = inflate(tile.cells(), width * (int) tile.height());
+    byte[] packed = Zlib.inflate(tile.cells(), width * (int) tile.height());
     int range = tile.range() > 0 ? tile.range() : 1;
     for (int row = 0; row < tile.height(); row++) {
       int to = (int) ((tile.row() + row) * info.width() + tile.column());
@@ -55,27 +54,5 @@ public final class Maps {
   static byte occupancy(int cell, int range) {
     int within = Math.clamp(cell, -range, range);
     return within == 0 ? GridMap.UNKNOWN : (byte) (CERTAIN * (within + range) / (2 * range));
-  }
-
-  private static byte[] inflate(byte[] stream, int expected) {
-    byte[] cells = new byte[expected];
-    Inflater inflater = new Inflater();
-    try {
-      inflater.setInput(stream);
-      int size = 0;
-      int got = 1;
-      while (size < expected && got > 0) {
-        got = inflater.inflate(cells, size, expected - size);
-        size += got;
-      }
-      if (size < expected) {
-        throw new IllegalArgumentException("cells: the stream holds " + size + " of " + expected);
-      }
-      return cells;
-    } catch (DataFormatException e) {
-      throw new IllegalArgumentException("cells: are no zlib stream: " + e.getMessage(), e);
-    } finally {
-      inflater.end();
-    }
   }
 }

@@ -19,7 +19,7 @@ import org.robotui.message.DynamicMessage;
 /** Where the robot is, and goes. */
 public final class SmartPlaces {
   /** Lengths are in millimetres. */
-  static final double PER_METRE = 1e3;
+  public static final double PER_METRE = 1e3;
   private static final double PERCENT = 100;
   private static final int AXES = 6;
   private static final int YAW = 5;

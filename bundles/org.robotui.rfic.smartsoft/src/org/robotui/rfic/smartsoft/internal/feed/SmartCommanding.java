@@ -31,11 +31,14 @@ public final class SmartCommanding implements AutoCloseable {
 
   private final SmartShared shared;
   private final SmartServices services;
+  private final Runnable halting;
   private final CommType type;
   private final Map<String, Drive> drives = new HashMap<>(); // guarded by this
   private boolean closed; // guarded by this
 
-  public SmartCommanding(SmartShared shared, SmartServices services) {
+  /** What is done beside when the robot is stopped does not block. */
+  public SmartCommanding(SmartShared shared, SmartServices services, Runnable halting) {
+    this.halting = halting;
     this.shared = shared;
     this.services = services;
     this.type = shared.types().get(VELOCITY);
@@ -113,6 +116,13 @@ public final class SmartCommanding implements AutoCloseable {
       } catch (MessageException e) {
         return new Sent.Refused(path + " does not take this: " + e.getMessage());
       }
+    }
+
+    /** Goals that we sent would let it drive on. */
+    @Override
+    public Sent halt(VelocityCommand zero) {
+      halting.run();
+      return drive(zero);
     }
 
     synchronized void finish() {

@@ -37,7 +37,7 @@ public final class YarpBrowser implements Browser {
 
   private List<Item> items(Kind kind, boolean asked) {
     return devices.kinds().entrySet().stream()
-        .filter(e -> e.getValue() != YarpDevice.NONE && (e.getValue() == YarpDevice.RPC) == asked)
+        .filter(e -> e.getValue() != YarpDevice.NONE && e.getValue().asked() == asked)
         .map(e -> new Item(kind, e.getKey(), e.getValue().word())).toList();
   }
 

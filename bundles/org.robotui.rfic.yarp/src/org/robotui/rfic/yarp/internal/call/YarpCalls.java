@@ -12,7 +12,6 @@ import org.robotui.net.call.Outcome;
 import org.robotui.net.socket.HostPort;
 import org.robotui.rfic.yarp.internal.convert.BottleRecord;
 import org.robotui.rfic.yarp.internal.feed.Wires;
-import org.robotui.rfic.yarp.internal.feed.YarpDevice;
 import org.robotui.rfic.yarp.internal.feed.YarpDevices;
 import org.robotui.yarp.bottle.Bottle;
 import org.robotui.yarp.bottle.BottleText;
@@ -24,7 +23,7 @@ public final class YarpCalls implements CallHandler<ServiceRequest, ServiceReply
   static final String ARGUMENT = "command";
   private static final Set<String> DRIVING = Set.of("pos", "poss", "posg", "dpo", "dpos", "dpog", "rel", "rels", "relg",
       "vmo", "vmos", "velg", "trq", "trqs", "toq", "toqs", "pwms", "refp");
-  private static final Set<String> VELOCITIES = Set.of("applyVelocityCommandRPC", "apply");
+  private static final Set<String> GOING = Set.of("applyVelocityCommandRPC", "apply", "goto", "follow");
 
   private final Wires wires;
   private final YarpDevices devices;
@@ -38,7 +37,7 @@ public final class YarpCalls implements CallHandler<ServiceRequest, ServiceReply
   public ServiceReply handle(Invocation<ServiceRequest> invocation) throws CallException {
     ServiceRequest asked = invocation.request();
     String name = devices.kinds().entrySet().stream()
-        .filter(e -> e.getValue() == YarpDevice.RPC
+        .filter(e -> e.getValue().asked()
             && (e.getKey().equals(asked.service()) || wires.port(e.getKey()).equals(asked.service())))
         .map(Map.Entry::getKey).findFirst()
         .orElseThrow(() -> new CallException("no port '" + asked.service() + "' is there that can be asked"));
@@ -68,11 +67,11 @@ public final class YarpCalls implements CallHandler<ServiceRequest, ServiceReply
     }
   }
 
-  /** Velocities and positions are said by who holds the robot, within limits, and stopped with it. */
+  /** Velocities, positions and goals are said by who holds the robot, within limits, and stopped with it. */
   private static boolean drives(Bottle question) {
     boolean sets = question.get(0).text().equals("set")
         && question.values().stream().limit(3).anyMatch(word -> DRIVING.contains(word.text()));
     boolean mode = question.get(1).text().equals("icmd");
-    return sets && !mode || VELOCITIES.contains(question.get(0).text());
+    return sets && !mode || GOING.contains(question.get(0).text());
   }
 }

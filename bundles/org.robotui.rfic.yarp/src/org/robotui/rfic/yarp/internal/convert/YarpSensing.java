@@ -8,6 +8,7 @@ import org.robotui.data.array.Bytes;
 import org.robotui.data.array.Doubles;
 import org.robotui.data.array.Floats;
 import org.robotui.data.geometry.Wrench;
+import org.robotui.data.image.CompressedImage;
 import org.robotui.data.image.PixelEncoding;
 import org.robotui.data.image.RawImage;
 import org.robotui.data.navigation.Odometry;
@@ -19,6 +20,7 @@ import org.robotui.geometry.Quaternion;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
 import org.robotui.yarp.bottle.Bottle;
+import org.robotui.yarp.bottle.YarpValue;
 import org.robotui.yarp.image.YarpImage;
 
 /**
@@ -139,7 +141,15 @@ public final class YarpSensing {
     }
   }
 
-  private static double finite(Bottle m, int index) {
+  /** A bottle of one blob, as pictures by mjpeg are. */
+  public static CompressedImage jpeg(Bottle m, FrameId frame) {
+    if (m.get(0) instanceof YarpValue.Blob blob) {
+      return new CompressedImage(frame, "jpeg", Bytes.wrap(blob.bytes(), 0, blob.bytes().length));
+    }
+    throw new IllegalArgumentException("what came is no JPEG file");
+  }
+
+  static double finite(Bottle m, int index) {
     double value = m.get(index).number();
     if (!Double.isFinite(value)) {
       throw new IllegalArgumentException("value " + (index + 1) + " is " + m.get(index) + ", which is no number");
@@ -147,7 +157,7 @@ public final class YarpSensing {
     return value;
   }
 
-  private static double degrees(Bottle m, int index) {
+  static double degrees(Bottle m, int index) {
     return Math.toRadians(finite(m, index));
   }
 

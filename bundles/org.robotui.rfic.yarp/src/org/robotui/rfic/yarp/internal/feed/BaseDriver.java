@@ -26,11 +26,13 @@ final class BaseDriver implements CommandSink<VelocityCommand>, AutoCloseable {
   private final Wires wires;
   private final String name;
   private final Supplier<HostPort> where;
+  private final Runnable halting;
   private Optional<PortStream> stream = Optional.empty(); // guarded by this, as the following
   private boolean moving;
   private boolean closed;
 
-  BaseDriver(Wires wires, String name, Supplier<HostPort> where) {
+  BaseDriver(Wires wires, String name, Supplier<HostPort> where, Runnable halting) {
+    this.halting = halting;
     this.wires = wires;
     this.name = name;
     this.where = where;
@@ -57,6 +59,13 @@ final class BaseDriver implements CommandSink<VelocityCommand>, AutoCloseable {
     boolean sent = connected().post(KIND, message(command), stops ? Duration.ZERO : LASTS);
     moving = sent ? !stops : moving;
     return sent ? new Sent.Out() : new Sent.Refused(name + " does not take anything more");
+  }
+
+  /** Goals that we sent would let it drive on. */
+  @Override
+  public Sent stop(VelocityCommand zero, boolean ours) {
+    halting.run();
+    return send(zero);
   }
 
   private PortStream connected() {

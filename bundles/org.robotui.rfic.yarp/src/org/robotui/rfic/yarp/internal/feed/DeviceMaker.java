@@ -14,6 +14,7 @@ import org.robotui.data.FrameId;
 import org.robotui.data.Stamp;
 import org.robotui.data.command.VelocityCommand;
 import org.robotui.data.geometry.Wrench;
+import org.robotui.data.image.CompressedImage;
 import org.robotui.data.image.RawImage;
 import org.robotui.data.navigation.Odometry;
 import org.robotui.data.navigation.PoseEstimate;
@@ -32,6 +33,7 @@ final class DeviceMaker implements AutoCloseable {
   private final Wires wires;
   private final YarpDevices devices;
   private final RobotFrames frames;
+  private final NavigationMaker navigation;
   private final List<Offer> commands = new CopyOnWriteArrayList<>();
   private final List<BoardFeed> boards = new CopyOnWriteArrayList<>();
   private final Set<String> taken = new HashSet<>(Set.of("tf")); // only on the thread that follows
@@ -41,14 +43,14 @@ final class DeviceMaker implements AutoCloseable {
     this.wires = wires;
     this.devices = devices;
     this.frames = wires.frames();
+    this.navigation = new NavigationMaker(wires, devices, place -> located(place, Optional.empty()));
   }
 
   void make(String name, YarpDevice kind) {
     switch (kind) {
       case LASER -> feed(name, LaserScan.class, "what the scanner sees", true,
           (m, stamp) -> YarpSensing.scan(m, middle(name)));
-      case CAMERA -> feed(name, RawImage.class, "what the camera sees", true,
-          (m, stamp) -> YarpSensing.image(m, middle(name)));
+      case CAMERA -> camera(name);
       case IMU -> feed(name, Imu.class, "orientation, turning and acceleration", false,
           (m, stamp) -> YarpSensing.imu(m, middle(name)));
       case WRENCH -> feed(name, Wrench.class, "forces and torques", false,
@@ -60,6 +62,9 @@ final class DeviceMaker implements AutoCloseable {
           (m, stamp) -> new BottleRecord(name, m));
       case BOARD -> board(name);
       case VELOCITY -> velocity(name);
+      case NAVIGATION -> navigation.navigation(name, wires.port(Wires.device(name)));
+      case LOCALIZATION -> navigation.localization(name, wires.port(Wires.device(name)));
+      case MAPS -> navigation.maps(name, wires.port(Wires.device(name)));
       case RPC, NONE -> {}
     }
   }
@@ -69,8 +74,27 @@ final class DeviceMaker implements AutoCloseable {
   }
 
   private <D extends Data> void feed(String name, Class<D> type, String help, boolean placed, Simple<D> making) {
-    PortFeed feed = new PortFeed(wires, name, address(name), placed);
+    PortFeed feed = new PortFeed(wires, name, address(name), placed, told(name));
     feed.offer(free(wires.port(name), name), type, help, (m, stamp) -> Optional.of(making.of(m, stamp)));
+    devices.add(name, feed);
+  }
+
+  private PortAsking told(String name) {
+    return new ToldPort(wires, carrier(name).told());
+  }
+
+  private StreamCarrier carrier(String name) {
+    return wires.settings().carriers().getOrDefault(name, wires.settings().carrier());
+  }
+
+  private void camera(String name) {
+    if (carrier(name) != StreamCarrier.MJPEG) {
+      feed(name, RawImage.class, "what the camera sees", true, (m, stamp) -> YarpSensing.image(m, middle(name)));
+      return;
+    }
+    PortFeed feed = new PortFeed(wires, name, address(name), true, new PulledPort(wires, name, devices));
+    feed.offer(free(wires.port(name), name), CompressedImage.class, name + ": what the camera sees",
+        (m, stamp) -> Optional.of(YarpSensing.jpeg(m, middle(name))));
     devices.add(name, feed);
   }
 
@@ -87,7 +111,7 @@ final class DeviceMaker implements AutoCloseable {
     String device = Wires.device(name);
     String chain = wires.port(device);
     chain = taken.add(chain + "/control") && taken.add(chain + "/model") ? chain : device;
-    PortFeed feed = new PortFeed(wires, name, address(name), false);
+    PortFeed feed = new PortFeed(wires, name, address(name), false, told(name));
     BoardFeed board = new BoardFeed(wires, feed, free(wires.port(name), name), chain,
         () -> devices.address(device + "/rpc:i"));
     boards.add(board);
@@ -96,7 +120,7 @@ final class DeviceMaker implements AutoCloseable {
   }
 
   private void velocity(String name) {
-    BaseDriver driver = new BaseDriver(wires, name, () -> address(name));
+    BaseDriver driver = new BaseDriver(wires, name, () -> address(name), navigation::halt);
     devices.add(driver);
     commands.add(wires.context().offers().command(new CommandPort<>(wires.port(Wires.device(name)) + "/velocity",
         VelocityCommand.class, Arity.MANY, name + ": velocity of the base"), driver));
@@ -118,6 +142,7 @@ final class DeviceMaker implements AutoCloseable {
 
   private PoseEstimate located(Bottle m, Optional<Stamp> stamp) {
     PoseEstimate place = YarpSensing.place(m, frames.map());
+    navigation.at(m);
     odometry.ifPresent(base -> wires.tree().placed(frames.map(), frames.odom(),
         place.pose().times(base.inverse()), stamp));
     return place;
@@ -130,6 +155,7 @@ final class DeviceMaker implements AutoCloseable {
 
   @Override
   public void close() {
+    navigation.close();
     commands.forEach(Offer::close);
   }
 }

@@ -28,14 +28,17 @@ final class PortFeed implements AutoCloseable {
   private final Wires wires;
   private final String name;
   private final boolean placed;
+  private final PortAsking asking;
   private final List<PortOutlet<?>> outlets = new CopyOnWriteArrayList<>();
   private volatile HostPort where;
   private volatile boolean asked;
   private volatile boolean closed;
+  private volatile long heardAt = System.nanoTime();
   private long askedAt = System.nanoTime() - AGAIN_NANOS; // only on the thread that follows
 
   /** Placed where it says something only to those who know where the robot is. */
-  PortFeed(Wires wires, String name, HostPort where, boolean placed) {
+  PortFeed(Wires wires, String name, HostPort where, boolean placed, PortAsking asking) {
+    this.asking = asking;
     this.wires = wires;
     this.name = name;
     this.where = where;
@@ -63,10 +66,11 @@ final class PortFeed implements AutoCloseable {
   /** Acts on what is wanted now, which may block. */
   void tick(boolean needed, boolean connected) {
     long now = System.nanoTime();
-    if (needed && !connected && !closed && now - askedAt >= AGAIN_NANOS) {
+    boolean due = needed && !closed && now - askedAt >= AGAIN_NANOS;
+    if (due && !asking.there(where, connected, now - heardAt)) {
       askedAt = now;
       asked = true;
-      Outcome<String> outcome = wires.admin().connect(where, wires.settings().carrier(), wires.own());
+      Outcome<String> outcome = asking.begin(where);
       String reason = outcome.reason();
       outlets.forEach(outlet -> outlet.failed(reason.isEmpty() ? "" : name + " does not say anything: " + reason));
     } else if (!needed && asked) {
@@ -78,13 +82,14 @@ final class PortFeed implements AutoCloseable {
   void letGo() {
     if (asked) {
       asked = false;
-      wires.admin().disconnect(where, wires.own());
+      asking.end(where);
       askedAt = System.nanoTime() - AGAIN_NANOS;
     }
   }
 
   void received(PortArrival arrival) {
     long now = System.nanoTime();
+    heardAt = now;
     wires.pulse().heard(now);
     if (!closed) {
       Optional<Stamp> stamp = wires.stamp(arrival.stamp());

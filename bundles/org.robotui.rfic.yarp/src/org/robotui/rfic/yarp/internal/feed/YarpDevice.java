@@ -27,7 +27,13 @@ public enum YarpDevice {
   BATTERY,
   /** Takes velocities of a base. */
   VELOCITY,
-  /** Is asked, and answers. */
+  /** Is asked for ways to goals, and takes goals. */
+  NAVIGATION,
+  /** Is asked where the robot is on a map. */
+  LOCALIZATION,
+  /** Is asked for maps. */
+  MAPS,
+  /** Is asked for anything else, and answers. */
   RPC,
   /** Says anything else. */
   RECORD,
@@ -37,6 +43,9 @@ public enum YarpDevice {
   private static final Pattern LASERS = Pattern.compile("laser|lidar|rangefinder|/scan");
   private static final Pattern CAMERAS = Pattern.compile("/cam|camera|grabber|image|/rgb|depth");
   private static final Pattern FORCES = Pattern.compile("/ft|force|wrench|_ft");
+  private static final Pattern NAVIGATIONS = Pattern.compile("navigation2?d?[^/]*/rpc|robotgoto[^/]*/rpc");
+  private static final Pattern LOCALIZATIONS = Pattern.compile("locali[sz](ation|er)[^/]*/rpc");
+  private static final Pattern MAPS_2D = Pattern.compile("map2d[^/]*/rpc|map_?server[^/]*/rpc");
   private static final Pattern OWN = Pattern.compile("/root|fallback|.*/quit|/tmp/.*|/robotui/.*|/yarplogger.*");
   private static final String OUT = ":o";
   private static final String RPC_IN = "/rpc:i";
@@ -73,12 +82,27 @@ public enum YarpDevice {
     }
     String device = name.substring(0, Math.max(0, name.lastIndexOf('/')));
     if (name.endsWith("/rpc") || name.contains("/rpc:")) {
-      return RPC;
+      return asked(name.toLowerCase(Locale.ROOT));
     }
     if (name.endsWith("/data:i") && all.contains(device + RPC_IN)) {
       return VELOCITY;
     }
     return name.endsWith(":i") ? NONE : says(name, device, all);
+  }
+
+  /** Whether it is asked, and says nothing by itself. */
+  public boolean asked() {
+    return this == RPC || this == NAVIGATION || this == LOCALIZATION || this == MAPS;
+  }
+
+  private static YarpDevice asked(String name) {
+    if (NAVIGATIONS.matcher(name).find()) {
+      return NAVIGATION;
+    }
+    if (LOCALIZATIONS.matcher(name).find()) {
+      return LOCALIZATION;
+    }
+    return MAPS_2D.matcher(name).find() ? MAPS : RPC;
   }
 
   private static YarpDevice says(String name, String device, Set<String> all) {
