@@ -82,6 +82,24 @@ class BridgeRunnerTest {
   }
 
   @Test
+  void what_does_not_meet_the_condition_is_left_out_and_counted() {
+    robots.bridge("notes", Map.of("lease", false, "when", "said number >= 8 and said number != 9"));
+    for (int i = 0; i < 12; i++) {
+      robots.says(new MapRecord("demo/Note", Map.of("number", new FieldValue.Num(i, Integer.toString(i)))));
+    }
+    TwoRobots.await(() -> robots.heard(RelayMessage.class).size() == 3);
+    TwoRobots.await(() -> robots.status().counts().thinned() == 9);
+  }
+
+  @Test
+  void a_condition_about_what_is_not_there_says_so() {
+    robots.bridge("notes", Map.of("lease", false, "when", "said charge > 0.2"));
+    robots.says(NOTE);
+    robots.awaitText("'when': ");
+    assertEquals(State.REFUSED, robots.status().state());
+  }
+
+  @Test
   void values_lost_before_the_bridge_are_counted() {
     robots.bridge("natalie/scan", Map.of());
     robots.says(scan());
