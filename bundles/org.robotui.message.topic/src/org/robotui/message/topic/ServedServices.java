@@ -44,7 +44,6 @@ public final class ServedServices implements CallHandler<ServiceOffer, ServiceGr
 
   /** One service, whose responder may be replaced by a later offer. */
   private static final class Served implements ServiceHosting.Host {
-    private final String name;
     private final String type;
     private final ReplyForm form;
     private Optional<Offer> offer = Optional.empty();
@@ -52,7 +51,6 @@ public final class ServedServices implements CallHandler<ServiceOffer, ServiceGr
     private volatile long until;
 
     Served(String name, ServiceSchema schema, ServiceOffer asked) {
-      this.name = name;
       this.type = asked.type();
       this.form = new ReplyForm(name, new MessageByNames(schema.response()), schema);
       renew(asked);
