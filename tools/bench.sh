@@ -14,6 +14,7 @@ cmd_bench() {
   [[ $# -eq 0 ]] || shift
   need_packages "The benchmarks" "${PEER_PACKAGES[@]}" || true
   [[ " $names " != *ros2* ]] || { need_packages "The benchmark ros2" "${CYCLONE_PEER_PACKAGES[@]}" && make_ros2_peers; } || true
+  [[ " $names " != *bridge* ]] || { need_packages "The benchmark bridge" topic-tools libroscpp-dev libstd-msgs-dev libsensor-msgs-dev; make_ros2_peers; } || true
   [[ $names != *ui* && $names != *scene* ]] || need_packages "Benchmarks of the window" "${WINDOW_PACKAGES[@]}" "${DISPLAY_PACKAGES[@]}" || true
   [[ " $names " != *scene* ]] || need_packages "The benchmark scene" "${SCENE_BENCH_PACKAGES[@]}" || true
   need_product

@@ -1,4 +1,5 @@
-"""./robotui bridge between nodes of rospy and rclpy: topics both ways, kept messages, commands with limits, and the return of who was killed."""
+"""./robotui bridge between nodes of rospy and rclpy: topics and services both ways, kept messages, commands with limits, and the return
+of who was killed."""
 import json
 import os
 import pathlib
@@ -21,6 +22,8 @@ bridges:
   scan: {from: Old.scan, to: New.natalie/scan, frame_prefix: natalie/}
   greeting: {from: New.greeting, to: Old.greeting, lease: false}
   drive: {from: New.drive, to: Old.cmd_vel, max_linear: 0.2}
+  lights: {kind: service, from: New.lights, to: Old.set_lights, lease: false}
+  reset: {kind: service, from: Old.reset, to: New.reset}
 ruics:
   Old: {type: single, view: text, rfics: {base: {type: ros}}}
   New: {type: single, view: text, rfics: {base: {type: ros2}}}
@@ -41,6 +44,11 @@ def test_nodes_of_ros_1_and_ros_2_hear_and_command_each_other(roscore, tmp_path)
     assert "hello from ROS 2" in roscore.tool("rostopic", "echo", "-n", "1", "/greeting"), "a message that was said once, before anybody listened"
     wait_for(lambda: 0.19 < roscore.odometry()[2] < 0.21, what="the robot to be driven, and not faster than the bridge allows")
     assert line(bridge, "drive")["control"] == "Bridge drive"
+
+    wait_for(lambda: lines(visitor)[-1].get("lights") == [True, "lights are True"], what="a node of ROS 2 to be answered by one of ROS 1")
+    assert roscore.tool("rosservice", "type", "/reset").strip() == "std_srvs/Trigger", "the type is that of the service that answers"
+    assert roscore.tool("rosservice", "call", "/reset").split() == ["success:", "True", "message:", '"reset', "by", "ROS", '2"']
+    wait_for(lambda: line(bridge, "reset")["passed"] == 1 and line(bridge, "lights")["passed"] >= 1, what="the calls to be counted")
 
     numbers = metrics(bridge)
     assert 'robotui_bridge_state{bridge="scan",from="Old.base.scan",to="New.base.natalie/scan",state="carrying"} 1' in numbers

@@ -12,6 +12,7 @@ import rospy
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from sensor_msgs.msg import Image, LaserScan
+from std_srvs.srv import SetBool, SetBoolResponse
 
 RATE = 10.0
 TIME_OUT = 0.5
@@ -62,6 +63,7 @@ def image():
 
 def live():
     rospy.init_node("accountable_robot")
+    rospy.Service("set_lights", SetBool, lambda request: SetBoolResponse(True, f"lights are {request.data}"))
     queue = None if "--no-queues" in sys.argv else 1        # without one, whoever publishes waits for all subscribers
     odometries = rospy.Publisher("odom", Odometry, queue_size=queue)
     scans = rospy.Publisher("scan", LaserScan, queue_size=queue)

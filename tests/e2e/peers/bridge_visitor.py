@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""A program of ROS 2 on the far side of a bridge: it hears a scan that comes from elsewhere, says a text that is kept, and
-drives (--drive). Every half second a line of JSON says what it has heard."""
+"""A program of ROS 2 on the far side of a bridge: it hears a scan that comes from elsewhere, says a text that is kept,
+offers a service and calls one, and drives (--drive). Every half second a line of JSON says what it has heard."""
 import json
 import sys
 import time
@@ -10,8 +10,14 @@ from geometry_msgs.msg import Twist
 from rclpy.qos import DurabilityPolicy, QoSProfile
 from sensor_msgs.msg import LaserScan
 from std_msgs.msg import String
+from std_srvs.srv import SetBool, Trigger
 
 LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+
+
+def reset(_, response):
+    response.success, response.message = True, "reset by ROS 2"
+    return response
 
 
 def main():
@@ -28,6 +34,9 @@ def main():
         last["stamp"] = stamp
     node.create_subscription(LaserScan, "natalie/scan", take, 10)
     node.create_publisher(String, "greeting", LATCHED).publish(String(data="hello from ROS 2"))
+    node.create_service(Trigger, "reset", reset)
+    lights = node.create_client(SetBool, "lights")
+    asked = None
     drive = node.create_publisher(Twist, "drive", 10)
     command = Twist()
     command.linear.x = 5.0
@@ -37,6 +46,10 @@ def main():
         rclpy.spin_once(node, timeout_sec=0.02)
         if driving:
             drive.publish(command)
+        if asked is None and lights.service_is_ready():
+            asked = lights.call_async(SetBool.Request(data=True))
+        elif asked and asked.done():
+            heard["lights"] = [asked.result().success, asked.result().message]
         if time.monotonic() - told > 0.5:
             told = time.monotonic()
             print(json.dumps(heard), flush=True)

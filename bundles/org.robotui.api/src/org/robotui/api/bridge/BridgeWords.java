@@ -19,6 +19,11 @@ public final class BridgeWords {
   /** Every value is worth sending, within the bounds of the queue. */
   public static final String ALL = "all";
 
+  /** A bridge that carries values. */
+  public static final String VALUES = "values";
+  /** A bridge that offers a service of one robot to the programs of another one. */
+  public static final String SERVICE = "service";
+
   private static final double LONGEST_SHIFT = 1e9;
   private static final TextRule END =
       TextRule.matching("a port of a robot, such as Natalie.scan or Natalie.base.scan", "[^.\\s][^.]*\\..*\\S");
@@ -37,6 +42,9 @@ public final class BridgeWords {
           + " several, and port"),
       Setting.required("to", PLACED_END, "where they go: a port for commands, or a topic or channel, which is offered"
           + " where nobody has it"),
+      Setting.of("kind", new ValueType.Choice(List.of(VALUES, SERVICE)), VALUES,
+          "what is carried: values, or calls of a service, which is offered to the programs of 'from' and answered by"
+              + " that of 'to'"),
       Setting.of("both", new ValueType.Flag(), false, "whether values go the other way as well"),
       Setting.optional("type", new ValueType.Text(TYPE),
           "the type of the messages that are sent; without it, what the topic carries, or what usually carries such values"),
@@ -50,6 +58,8 @@ public final class BridgeWords {
       Setting.of("stamps", new ValueType.Choice(List.of(KEEP_STAMPS, MOVE_STAMPS, NEW_STAMPS)), KEEP_STAMPS,
           "whether stamps stay, are moved by the difference of the clocks as it is estimated, or are made anew"),
       Setting.of("stamp_offset", new ValueType.Num(-LONGEST_SHIFT, LONGEST_SHIFT, "s"), 0.0, "what is added to stamps"),
+      Setting.optional("when", new ValueType.Text(),
+          "what values must be that pass: a condition as of alerts, such as battery charge < 0.2"),
       Setting.optional("rate", new ValueType.Num(0.01, 10_000, "Hz"), "how many values pass in a second at most"),
       Setting.optional("keep", new ValueType.Choice(List.of(NEWEST, ALL)),
           "which values wait where they cannot pass at once; without it, the newest of sensors and all others"),
@@ -59,7 +69,10 @@ public final class BridgeWords {
               + " the sender has it"),
       Setting.optional("lease", new ValueType.Flag(),
           "whether messages command the robot, and so need the lease and end with a stop; without it, all do but those of"
-              + " sensors, maps and states"),
+              + " sensors, maps and states, and so do calls"),
+      Setting.optional("reply", new ValueType.MapOf(new ValueType.Text(EXPRESSION)),
+          "what each field of the replies of a service is made of; 'fields' does the same for requests"),
+      Setting.of("timeout", new ValueType.Num(0.05, 3600, "s"), 10.0, "how long the answer of a service may take"),
       Setting.of("expiry", new ValueType.Num(0.05, 60, "s"), 0.5, "how long a command holds; it is not sent later"),
       Setting.optional("max_linear", new ValueType.Num(0, 100, "m/s"), "no motion that passes is faster"),
       Setting.optional("max_angular", new ValueType.Num(0, 100, "rad/s"), "no motion that passes turns faster"));

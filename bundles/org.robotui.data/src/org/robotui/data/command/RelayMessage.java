@@ -7,6 +7,7 @@ import org.robotui.data.Data;
 import org.robotui.data.Delivery;
 import org.robotui.data.Late;
 import org.robotui.data.Stamp;
+import org.robotui.data.array.Bytes;
 import org.robotui.data.record.DynamicRecord;
 
 /**
@@ -46,9 +47,29 @@ public record RelayMessage(String topic, String type, Data value, Optional<Stamp
    *
    * @param type the name of its type, of the robot that sent it; empty where there is no such message
    * @param record reads it, on any thread; nothing where it cannot be read
+   * @param wire its bytes, where nothing is to be changed in it
    */
-  public record Original(String type, Supplier<Optional<DynamicRecord>> record) {
+  public record Original(String type, Supplier<Optional<DynamicRecord>> record, Optional<Wire> wire) {
     /** Of values that came as no message, or were changed since. */
     public static final Original NONE = new Original("", Optional::empty);
+
+    /**
+     * A message whose bytes are not to be said as they are.
+     *
+     * @param type the name of its type
+     * @param record reads it
+     */
+    public Original(String type, Supplier<Optional<DynamicRecord>> record) {
+      this(type, record, Optional.empty());
+    }
   }
+
+  /**
+   * A message as it came, for a robot interface that has the same type in the same encoding.
+   *
+   * @param encoding the name of the encoding
+   * @param definition the text of the type, on any thread; nothing where it is not known
+   * @param bytes the whole message
+   */
+  public record Wire(String encoding, Supplier<Optional<String>> definition, Bytes bytes) {}
 }

@@ -6,6 +6,8 @@ import org.robotui.api.port.Arity;
 import org.robotui.api.port.BrowsePort;
 import org.robotui.api.port.CallPort;
 import org.robotui.api.port.CommandPort;
+import org.robotui.api.port.ServiceGrant;
+import org.robotui.api.port.ServiceOffer;
 import org.robotui.api.port.ServiceReply;
 import org.robotui.api.port.ServiceRequest;
 import org.robotui.data.command.MessageCommand;
@@ -17,6 +19,11 @@ public final class TopicPorts {
   /** Calls services. */
   public static final CallPort<ServiceRequest, ServiceReply> SERVICES =
       new CallPort<>("services", ServiceRequest.class, ServiceReply.class, Arity.MANY, "Calls a service by its name.");
+
+  /** Offers services to programs of the robot. */
+  public static final CallPort<ServiceOffer, ServiceGrant> SERVE =
+      new CallPort<>("serve", ServiceOffer.class, ServiceGrant.class, Arity.MANY,
+          "Offers a service to the programs of the robot that is answered from outside, such as by a bridge.");
 
   /** Sends goals to actions. */
   public static final CallPort<ActionRequest, ActionReply> ACTIONS = new CallPort<>("actions", ActionRequest.class,

@@ -1,5 +1,6 @@
 package org.robotui.message.topic;
 
+import java.nio.ByteBuffer;
 import java.time.Duration;
 import java.util.Optional;
 
@@ -32,6 +33,17 @@ public interface TopicPublisher<M> extends AutoCloseable {
    * @param message the message
    */
   void publish(M message);
+
+  /**
+   * Says a message of the topic's type that came from elsewhere, as it is.
+   *
+   * @param encoding the name of its encoding
+   * @param bytes the whole message
+   * @return false where this framework has another encoding: nothing was said then
+   */
+  default boolean publishRaw(String encoding, ByteBuffer bytes) {
+    return false;
+  }
 
   /**
    * Says a message next, and drops those that still wait: a stop comes right behind what is on its way already.

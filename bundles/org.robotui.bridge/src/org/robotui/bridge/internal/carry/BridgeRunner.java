@@ -9,6 +9,7 @@ import java.util.concurrent.locks.LockSupport;
 import org.robotui.api.bridge.BridgeConfig;
 import org.robotui.api.bridge.BridgeStatus;
 import org.robotui.api.bridge.BridgeTransform.Direction;
+import org.robotui.api.bridge.BridgeWords;
 import org.robotui.api.host.Host;
 import org.robotui.bridge.internal.TransformTable;
 import org.robotui.net.thread.Uninterruptibles;
@@ -29,9 +30,9 @@ public final class BridgeRunner implements AutoCloseable {
 
   private final Host host;
   private final CarryContext surroundings;
-  private final Map<BridgeConfig, List<BridgeWay>> running = new LinkedHashMap<>();
+  private final Map<BridgeConfig, List<CarriedWay>> running = new LinkedHashMap<>();
   private final Thread thread = Thread.ofPlatform().daemon().name("robotui-bridges").unstarted(this::run);
-  private volatile List<BridgeWay> ways = List.of();
+  private volatile List<CarriedWay> ways = List.of();
   private volatile boolean closed;
 
   /** Begins at once. */
@@ -43,7 +44,7 @@ public final class BridgeRunner implements AutoCloseable {
 
   /** How the bridges are doing. */
   public List<BridgeStatus> statuses() {
-    return ways.stream().map(BridgeWay::status).toList();
+    return ways.stream().map(CarriedWay::status).toList();
   }
 
   private void run() {
@@ -75,14 +76,17 @@ public final class BridgeRunner implements AutoCloseable {
   private void follow() {
     List<BridgeConfig> wanted = host.bridges();
     List<BridgeConfig> gone = running.keySet().stream().filter(config -> !wanted.contains(config)).toList();
-    gone.forEach(config -> running.remove(config).forEach(BridgeWay::close));
+    gone.forEach(config -> running.remove(config).forEach(CarriedWay::close));
     wanted.forEach(config -> running.computeIfAbsent(config, this::ways));
-    List<BridgeWay> all = new ArrayList<>();
+    List<CarriedWay> all = new ArrayList<>();
     wanted.forEach(config -> all.addAll(running.get(config)));
     ways = List.copyOf(all);
   }
 
-  private List<BridgeWay> ways(BridgeConfig config) {
+  private List<CarriedWay> ways(BridgeConfig config) {
+    if (config.settings().text("kind").equals(BridgeWords.SERVICE)) {
+      return List.of(new ServiceWay(config, surroundings));
+    }
     BridgeWay forth = new BridgeWay(config, Direction.FORTH, surroundings);
     return config.settings().flag("both") ? List.of(forth, new BridgeWay(config, Direction.BACK, surroundings))
         : List.of(forth);

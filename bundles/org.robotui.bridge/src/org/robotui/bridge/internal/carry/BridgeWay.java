@@ -9,9 +9,10 @@ import org.robotui.api.bridge.BridgeStatus.State;
 import org.robotui.api.bridge.BridgeTransform.Direction;
 import org.robotui.api.command.Principal;
 import org.robotui.api.port.Envelope;
+import org.robotui.bridge.internal.change.ValueFilter;
 
 /** One way of a bridge. Used by the thread of the bridges; its status may be asked for by any. */
-final class BridgeWay implements AutoCloseable {
+final class BridgeWay implements CarriedWay {
   private static final long ACTIVE = 1_000_000_000L;
 
   private final BridgeConfig config;
@@ -21,12 +22,14 @@ final class BridgeWay implements AutoCloseable {
   private final Principal principal;
   private final CarryContext surroundings;
   private final WaitingValues waiting;
+  private final Optional<ValueFilter> filter;
   private final WayTally tally = new WayTally();
   private Optional<OpenWay> open = Optional.empty();
   private Optional<Envelope<?>> kept = Optional.empty();
   private boolean present;
   private long received;
   private long lost;
+  private long filtered;
   private long nextSequence = -1;
   private long active = System.nanoTime() - ACTIVE;
   private volatile BridgeStatus status;
@@ -40,20 +43,23 @@ final class BridgeWay implements AutoCloseable {
         "Bridge " + config.name(), Principal.Kind.SCRIPT);
     this.surroundings = surroundings;
     this.waiting = new WaitingValues(config.settings());
+    this.filter = ValueFilter.of(config.settings(), from.port());
     this.status = status(State.WAITING, "not begun yet");
   }
 
-  BridgeStatus status() {
+  @Override
+  public BridgeStatus status() {
     return status;
   }
 
-  /** Whether values came lately, so that it is worth looking for the next one at once. */
-  boolean isActive(long now) {
+  @Override
+  public boolean isActive(long now) {
     return now - active < ACTIVE || !waiting.isEmpty();
   }
 
   /** Opens it anew where a robot UI has come, gone or been replaced, and says how it is doing. */
-  void look(long now) {
+  @Override
+  public void look(long now) {
     if (open.filter(way -> !way.isCurrent(surroundings)).isPresent()) {
       close();
     }
@@ -71,8 +77,8 @@ final class BridgeWay implements AutoCloseable {
     status = measured();
   }
 
-  /** Takes what has come, and passes on what may pass. */
-  void carry(long now) {
+  @Override
+  public void carry(long now) {
     open.ifPresent(way -> {
       way.near().take(from.port(), this::received);
       Optional<Envelope<?>> next = waiting.next(now);
@@ -90,7 +96,20 @@ final class BridgeWay implements AutoCloseable {
     nextSequence = envelope.sequence() + 1;
     received++;
     active = System.nanoTime();
-    waiting.add(envelope);
+    if (isWanted(envelope)) {
+      waiting.add(envelope);
+    }
+  }
+
+  private boolean isWanted(Envelope<?> envelope) {
+    try {
+      boolean passes = filter.isEmpty() || filter.get().passes(envelope);
+      filtered += passes ? 0 : 1;
+      return passes;
+    } catch (IllegalArgumentException e) {
+      tally.answered(Optional.of(String.valueOf(e.getMessage())), envelope.receivedNanos());
+      return false;
+    }
   }
 
   /** False where it is to be tried again. What holds until it is replaced is said again to a robot that comes later. */
@@ -119,11 +138,12 @@ final class BridgeWay implements AutoCloseable {
       return status(State.WAITING, way.far().missing());
     }
     return live && tally.passed() > 0 ? status(State.CARRYING, "carrying")
-        : status(State.WAITING, way.near().state(from.port()).explanation());
+        : status(State.WAITING, live && filtered > 0 ? "no value has met 'when' yet"
+            : way.near().state(from.port()).explanation());
   }
 
   private BridgeStatus status(State state, String text) {
-    Counts counts = new Counts(received, tally.passed(), waiting.thinned(), lost + waiting.dropped(), tally.refused());
+    Counts counts = new Counts(received, tally.passed(), filtered + waiting.thinned(), lost + waiting.dropped(), tally.refused());
     return new BridgeStatus(config.name(), from, to, state, text, counts, tally.rateHz(), tally.lagSeconds(),
         open.flatMap(way -> way.far().holder()));
   }

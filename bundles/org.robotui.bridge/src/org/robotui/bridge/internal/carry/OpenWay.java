@@ -1,5 +1,7 @@
 package org.robotui.bridge.internal.carry;
 
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
 import java.util.Optional;
 import org.robotui.api.bridge.BridgeConfig;
 import org.robotui.api.bridge.BridgeEnd;
@@ -10,6 +12,7 @@ import org.robotui.api.host.InterfaceConfig;
 import org.robotui.api.host.PortAccess;
 import org.robotui.api.host.Ruic;
 import org.robotui.api.port.Envelope;
+import org.robotui.api.port.RawDefinition;
 import org.robotui.api.port.RawMessage;
 import org.robotui.bridge.internal.change.FieldMapping;
 import org.robotui.bridge.internal.change.FrameRenaming;
@@ -24,6 +27,7 @@ import org.robotui.data.Late;
 import org.robotui.data.Stamp;
 import org.robotui.data.command.RelayMessage.Answer;
 import org.robotui.data.command.RelayMessage.Original;
+import org.robotui.data.command.RelayMessage.Wire;
 import org.robotui.data.record.DynamicRecord;
 
 /** A way between two robot UIs that are there. */
@@ -146,7 +150,14 @@ final class OpenWay implements AutoCloseable {
   }
 
   private Original original(RawMessage raw, Optional<Stamp> stamp) {
-    return new Original(raw.schema(), () -> raw.record().map(record -> rewritten(record, stamp)));
+    Optional<Wire> wire = rewriting.isNone()
+        ? Optional.of(new Wire(raw.encoding(), () -> raw.origin().definition().get().map(OpenWay::text), raw.bytes()))
+        : Optional.empty();
+    return new Original(raw.schema(), () -> raw.record().map(record -> rewritten(record, stamp)), wire);
+  }
+
+  private static String text(RawDefinition definition) {
+    return StandardCharsets.UTF_8.decode(definition.content().buffer(ByteOrder.BIG_ENDIAN)).toString();
   }
 
   private DynamicRecord rewritten(DynamicRecord record, Optional<Stamp> stamp) {

@@ -22,13 +22,17 @@ public record FieldMapping(String type, Map<String, FieldExpression> fields) {
 
   /** As configured; none where no fields are mapped. */
   public static Optional<FieldMapping> of(Settings settings) {
-    if (!settings.has("fields")) {
+    return of(settings, "fields", settings.has("type") ? settings.text("type") : "fields");
+  }
+
+  /** As configured by a word of its own; none where it is not written. */
+  static Optional<FieldMapping> of(Settings settings, String word, String type) {
+    if (!settings.has(word)) {
       return Optional.empty();
     }
     Map<String, FieldExpression> fields = new LinkedHashMap<>();
-    settings.map("fields")
-        .forEach((path, text) -> fields.put(path.toString(), FieldExpression.parse(text.toString())));
-    return Optional.of(new FieldMapping(settings.has("type") ? settings.text("type") : "fields", fields));
+    settings.map(word).forEach((path, text) -> fields.put(path.toString(), FieldExpression.parse(text.toString())));
+    return Optional.of(new FieldMapping(type, fields));
   }
 
   /**

@@ -26,7 +26,11 @@ final class ControlClaim {
 
   /** Why the robot must not be commanded now; takes the lease where it may be. */
   Optional<String> obstacle(Authority authority, Data command, long now) {
-    boolean rests = command instanceof Motion<?> motion && motion.equals(motion.stopped());
+    return obstacle(authority, command instanceof Motion<?> motion && motion.equals(motion.stopped()), now);
+  }
+
+  /** The same of what is no message: whether it asks for rest. */
+  Optional<String> obstacle(Authority authority, boolean rests, long now) {
     if (rests || now - commandedAt >= SILENCE) {
       interrupted = Optional.empty();
     }

@@ -10,6 +10,8 @@ import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.robotui.api.bridge.BridgeStatus.State;
+import org.robotui.api.port.RawMessage;
+import org.robotui.api.port.SourceId;
 import org.robotui.data.FrameId;
 import org.robotui.data.array.Bytes;
 import org.robotui.data.array.Floats;
@@ -82,11 +84,47 @@ class BridgeRunnerTest {
   }
 
   @Test
+  void what_does_not_meet_the_condition_is_left_out_and_counted() {
+    robots.bridge("notes", Map.of("lease", false, "when", "said number >= 8 and said number != 9"));
+    for (int i = 0; i < 12; i++) {
+      robots.says(new MapRecord("demo/Note", Map.of("number", new FieldValue.Num(i, Integer.toString(i)))));
+    }
+    TwoRobots.await(() -> robots.heard(RelayMessage.class).size() == 3);
+    TwoRobots.await(() -> robots.status().counts().thinned() == 9);
+  }
+
+  @Test
+  void a_condition_about_what_is_not_there_says_so() {
+    robots.bridge("notes", Map.of("lease", false, "when", "said charge > 0.2"));
+    robots.says(NOTE);
+    robots.awaitText("'when': ");
+    assertEquals(State.REFUSED, robots.status().state());
+  }
+
+  private Optional<RelayMessage.Wire> wire(Map<String, Object> settings) {
+    robots.bridge("notes", settings);
+    robots.natalie.ports().put(new SourceId("base", "said"), NOTE, Optional.empty(),
+        Optional.of(new RawMessage("demo/Note", "ros1", Bytes.of((byte) 3), bytes -> Optional.of(NOTE))));
+    TwoRobots.await(() -> !robots.heard(RelayMessage.class).isEmpty());
+    return robots.heard(RelayMessage.class).getFirst().original().wire();
+  }
+
+  @Test
+  void a_message_in_which_nothing_changes_brings_its_bytes() {
+    assertEquals(Optional.of(Bytes.of((byte) 3)), wire(Map.of("lease", false)).map(RelayMessage.Wire::bytes));
+  }
+
+  @Test
+  void a_message_with_other_frames_does_not_bring_its_bytes() {
+    assertEquals(Optional.empty(), wire(Map.of("lease", false, "frame_prefix", "natalie/")));
+  }
+
+  @Test
   void values_lost_before_the_bridge_are_counted() {
     robots.bridge("natalie/scan", Map.of());
     robots.says(scan());
     TwoRobots.await(() -> robots.heard(RelayMessage.class).size() == 1);
-    robots.at(robots.natalie).drop(new org.robotui.api.port.SourceId("base", "said"), 3);
+    robots.at(robots.natalie).drop(new SourceId("base", "said"), 3);
     robots.says(scan());
 
     TwoRobots.await(() -> robots.status().counts().dropped() == 3);

@@ -54,9 +54,14 @@ final class TwoRobots implements AutoCloseable {
 
   /** A bridge from what Natalie says to a port or topic of Keira, with settings that are fit for it. */
   TwoRobots bridge(String to, Map<String, Object> settings) {
+    return bridge("said", to, settings);
+  }
+
+  /** The same from any port. */
+  TwoRobots bridge(String from, String to, Map<String, Object> settings) {
     FakeSettings values = new FakeSettings(BridgeWords.SCHEMA);
     settings.forEach(values::set);
-    host.bridging(new BridgeConfig(Path.of("test.yaml"), 3, "test", end("Natalie", "said"), end("Keira", to),
+    host.bridging(new BridgeConfig(Path.of("test.yaml"), 3, "test", end("Natalie", from), end("Keira", to),
         values.current()));
     runner = new BridgeRunner(host, transforms);
     await(() -> !runner.statuses().isEmpty());

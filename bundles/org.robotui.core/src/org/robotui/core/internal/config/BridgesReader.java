@@ -17,10 +17,14 @@ import org.robotui.api.port.SourceId;
 
 /** Reads bridges: names with a section each, whose ends are ports of robot interfaces of the same file. */
 final class BridgesReader {
+  private static final List<String> NOT_OF_SERVICES =
+      List.of("transform", "when", "rate", "keep", "latched", "max_linear", "max_angular");
+
   private final Path file;
   private final Map<String, List<String>> interfaces;
   private final List<Problem> problems;
   private final BridgeLoops loops = new BridgeLoops();
+  private final BridgeLoops loopsOfServices = new BridgeLoops();
 
   /** For a file with these RUICs, each with the ids of its robot interfaces. */
   BridgesReader(Path file, Map<String, List<String>> interfaces, List<Problem> problems) {
@@ -68,12 +72,29 @@ final class BridgesReader {
     }
     BridgeConfig bridge =
         new BridgeConfig(file, entry.place().line(), entry.key(), from.get(), to.get(), settings);
-    Optional<String> fault = fault(settings).or(() -> loops.add(bridge));
+    Optional<String> fault = fault(settings)
+        .or(() -> BridgeFilters.fault(bridge))
+        .or(() -> (settings.text("kind").equals(BridgeWords.SERVICE) ? loopsOfServices : loops).add(bridge));
     fault.ifPresent(f -> problems.add(entry.place().error("the bridge '" + entry.key() + "' " + f)));
     return fault.isEmpty() ? Optional.of(bridge) : Optional.empty();
   }
 
   private static Optional<String> fault(Settings settings) {
+    return settings.text("kind").equals(BridgeWords.SERVICE) ? faultOfService(settings) : faultOfValues(settings);
+  }
+
+  private static Optional<String> faultOfService(Settings settings) {
+    if (settings.flag("both")) {
+      return Optional.of("offers a service, which goes one way; leave out 'both', and write a bridge for each service");
+    }
+    return NOT_OF_SERVICES.stream().filter(settings::has).findFirst()
+        .map(word -> "offers a service, and '" + word + "' is for values; leave it out, or 'kind: service'");
+  }
+
+  private static Optional<String> faultOfValues(Settings settings) {
+    if (settings.has("reply")) {
+      return Optional.of("carries values, and 'reply' is for services; leave it out, or write 'kind: service'");
+    }
     if (settings.flag("both") && settings.has("fields")) {
       return Optional.of("goes both ways, but its 'fields' go one way only; write a bridge for each way, or use a"
           + " 'transform', which knows both");

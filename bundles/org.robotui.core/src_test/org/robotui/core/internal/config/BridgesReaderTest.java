@@ -62,6 +62,11 @@ class BridgesReaderTest {
       "a: {from: Natalie.scan, to: Natalie.ros.scan} | 6:3 the bridge 'a' leads from Natalie.ros.scan to where it begins",
       "a: {from: Natalie.x, to: Keira.ros.x, both: yes, fields: {x: y}} | 6:3 the bridge 'a' goes both ways, but its 'fields' go one way",
       "a: {from: Natalie.x, to: Keira.ros.x, transform: t, fields: {x: y}} | 6:3 the bridge 'a' has both 'fields' and a 'transform'",
+      "a: {from: Natalie.x, to: Keira.ros.x, kind: service, both: yes} | 6:3 the bridge 'a' offers a service, which goes one way",
+      "a: {from: Natalie.x, to: Keira.ros.x, kind: service, rate: 5} | 6:3 the bridge 'a' offers a service, and 'rate' is for values",
+      "a: {from: Natalie.x, to: Keira.ros.x, reply: {x: y}} | 6:3 the bridge 'a' carries values, and 'reply' is for services",
+      "a: {from: Natalie.x, to: Keira.ros.x, when: x charge < low} | 6:3 the bridge 'a' has a 'when' that cannot be read: 'low' is no number",
+      "a: {from: Natalie.x, to: Keira.ros.x, when: y charge < 1} | 6:3 the bridge 'a' has a 'when' that does not look at what it carries; name the port",
       "a: nonsense | 6:6 the bridge 'a' must be a section of names and values"})
   void mistakesNamePlaceAndRemedy(String bridge, String told) {
     String only = only(bridge);
@@ -85,6 +90,14 @@ class BridgesReaderTest {
     assertEquals(List.of(), read("one: {from: Natalie.x, to: Keira.ros.x, both: true}").problems());
     assertEquals("7:3 the bridge 'two' carries Keira.ros.x to Natalie.ros.x, as 'one' does; leave one of them out",
         only("one: {from: Natalie.x, to: Keira.ros.x, both: true}\ntwo: {from: Keira.ros.x, to: Natalie.x}"));
+  }
+
+  @Test
+  void aServiceAndATopicOfOneNameAreNoLoop() {
+    String topic = "one: {from: Natalie.x, to: Keira.ros.x}\n";
+    assertEquals(List.of(), read(topic + "two: {from: Keira.ros.x, to: Natalie.x, kind: service}").problems());
+    assertTrue(only(topic + "two: {from: Keira.ros.x, to: Natalie.x, kind: service}\n"
+        + "three: {from: Natalie.x, to: Keira.ros.x, kind: service}").contains("closes a loop"));
   }
 
   @Test

@@ -1,5 +1,6 @@
 package org.robotui.message.topic.internal;
 
+import java.nio.ByteBuffer;
 import java.time.Duration;
 import java.util.Optional;
 import org.robotui.message.DynamicMessage;
@@ -31,6 +32,12 @@ final class PatientTopic implements AutoCloseable {
     } else {
       waiting = Optional.of(message);
     }
+  }
+
+  /** Says bytes as they are, once it says messages at once; false where that cannot be. */
+  boolean sayRaw(String encoding, ByteBuffer bytes) {
+    used();
+    return ready && publisher.publishRaw(encoding, bytes);
   }
 
   /** It is wanted still, though nothing is said. */

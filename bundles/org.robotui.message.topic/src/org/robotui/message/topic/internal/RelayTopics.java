@@ -1,5 +1,6 @@
 package org.robotui.message.topic.internal;
 
+import java.nio.ByteOrder;
 import java.time.Duration;
 import java.util.HashMap;
 import java.util.Iterator;
@@ -32,7 +33,16 @@ import org.robotui.message.topic.TopicSettings;
 public final class RelayTopics implements CommandSink<RelayMessage>, AutoCloseable {
   private static final Duration IDLE = Duration.ofMinutes(1);
 
-  private record Relay(PatientTopic topic, MessageByNames messages, String type, boolean kept) {}
+  private record Relay(PatientTopic topic, MessageByNames messages, TypeAgreement agreement, String type,
+      boolean kept) {
+    /** Says it as it came, where the other robot has the same type in the same encoding. */
+    boolean saysRaw(RelayMessage said) {
+      return said.original().type().equals(type) && said.original().wire()
+          .filter(wire -> agreement.with(wire)
+              && topic.sayRaw(wire.encoding(), wire.bytes().buffer(ByteOrder.LITTLE_ENDIAN)))
+          .isPresent();
+    }
+  }
 
   private static final int MOST_WAITING = 64;
 
@@ -152,6 +162,9 @@ public final class RelayTopics implements CommandSink<RelayMessage>, AutoCloseab
       relay.topic().used();
       return relay.topic().obstacle().<Sent>map(Sent.Refused::new).orElseGet(Sent.Out::new);
     }
+    if (relay.saysRaw(said)) {
+      return new Sent.Out();
+    }
     try {
       Optional<DynamicRecord> record = record(type, said);
       if (record.isEmpty()) {
@@ -168,7 +181,8 @@ public final class RelayTopics implements CommandSink<RelayMessage>, AutoCloseab
   private Relay advertised(String topic, String type, MessageSchema schema, boolean kept) {
     Optional.ofNullable(relays.remove(topic)).ifPresent(old -> old.topic().close());
     Relay made =
-        new Relay(new PatientTopic(client.relayed(topic, schema, kept)), new MessageByNames(schema), type, kept);
+        new Relay(new PatientTopic(client.relayed(topic, schema, kept)), new MessageByNames(schema),
+            new TypeAgreement(schema), type, kept);
     relays.put(topic, made);
     relayed.add(topic);
     return made;

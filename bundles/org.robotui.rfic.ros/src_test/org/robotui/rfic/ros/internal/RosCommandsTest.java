@@ -6,14 +6,12 @@ import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
-import java.time.Duration;
 import java.util.Deque;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentLinkedDeque;
 import org.junit.jupiter.api.Test;
 import org.robotui.api.port.CallException;
-import org.robotui.api.port.CallHandler;
 import org.robotui.api.port.CommandSink;
 import org.robotui.api.port.CommandSink.Sent;
 import org.robotui.api.port.ServiceReply;
@@ -23,7 +21,6 @@ import org.robotui.data.command.MessageCommand;
 import org.robotui.data.command.VelocityCommand;
 import org.robotui.data.geometry.PoseArray;
 import org.robotui.data.navigation.Path;
-import org.robotui.data.record.DynamicRecord;
 import org.robotui.data.record.FieldValue;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.guard.Guards;
@@ -122,13 +119,13 @@ class RosCommandsTest extends RosRficCase {
     rfic.start();
     await(() -> context.handlers.containsKey("services"));
     assertTrue(robot.awaitRegistered(PATIENCE));
-    ServiceReply reply = call(new ServiceRequest("/motors", Map.of("data", true)));
+    ServiceReply reply = call("services", new ServiceRequest("/motors", Map.of("data", true)));
     assertEquals(new FieldValue.Flag(true), reply.value().field("success").orElseThrow());
     CallException wrong = org.junit.jupiter.api.Assertions.assertThrows(
-        CallException.class, () -> call(new ServiceRequest("/motors", Map.of("dta", true))));
+        CallException.class, () -> call("services", new ServiceRequest("/motors", Map.of("dta", true))));
     assertTrue(wrong.getMessage().contains("dta"), wrong.getMessage());
     CallException none = org.junit.jupiter.api.Assertions.assertThrows(
-        CallException.class, () -> call(new ServiceRequest("/nowhere", Map.of())));
+        CallException.class, () -> call("services", new ServiceRequest("/nowhere", Map.of())));
     assertTrue(none.getMessage().contains("/nowhere"), none.getMessage());
   }
 
@@ -161,32 +158,5 @@ class RosCommandsTest extends RosRficCase {
   @SuppressWarnings("unchecked")
   private Sent say(String topic, String type, Map<String, Object> fields) {
     return ((CommandSink<MessageCommand>) context.sinks.get("publish")).send(new MessageCommand(topic, type, fields));
-  }
-
-  @SuppressWarnings("unchecked")
-  private ServiceReply call(ServiceRequest request) throws CallException, InterruptedException {
-    CallHandler<ServiceRequest, ServiceReply> handler =
-        (CallHandler<ServiceRequest, ServiceReply>) context.handlers.get("services");
-    return handler.handle(new CallHandler.Invocation<>() {
-      @Override
-      public ServiceRequest request() {
-        return request;
-      }
-
-      @Override
-      public long deadlineNanos() {
-        return System.nanoTime() + Duration.ofSeconds(3).toNanos();
-      }
-
-      @Override
-      public void progress(double fraction, String message) {
-        // services have no progress
-      }
-
-      @Override
-      public void feedback(DynamicRecord record) {
-        // nor feedback
-      }
-    });
   }
 }

@@ -1,6 +1,7 @@
 package org.robotui.rfic.ros.internal;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Deque;
@@ -13,8 +14,10 @@ import org.robotui.data.ClockKind;
 import org.robotui.data.Data;
 import org.robotui.data.FrameId;
 import org.robotui.data.Stamp;
+import org.robotui.data.array.Bytes;
 import org.robotui.data.array.Floats;
 import org.robotui.data.command.RelayMessage;
+import org.robotui.data.command.RelayMessage.Wire;
 import org.robotui.data.command.VelocityCommand;
 import org.robotui.data.record.FieldValue;
 import org.robotui.data.record.MapRecord;
@@ -77,6 +80,31 @@ class RosRelayTest extends RosRficCase {
         SubscriberOptions.standard(), (scan, reception) -> heard.add(scan));
     await(() -> relay(said) instanceof Sent.Out && !heard.isEmpty());
     assertEquals("far/laser", heard.getFirst().header().frameId());
+  }
+
+  private RelayMessage asItCame(String topic, String definition) {
+    byte[] bytes = {2, 0, 0, 0, 'a', 's'};
+    Wire wire = new Wire("ros1", () -> Optional.of(definition), Bytes.of(bytes));
+    RelayMessage.Original original =
+        new RelayMessage.Original("std_msgs/String", () -> Optional.of(TEXT), Optional.of(wire));
+    return new RelayMessage(topic, "", TEXT, Optional.empty(), original, false, false, told::add);
+  }
+
+  @Test
+  void bytesPassAsTheyAreWhereTheDefinitionIsTheSame() {
+    Deque<String> same = new ConcurrentLinkedDeque<>();
+    Deque<String> other = new ConcurrentLinkedDeque<>();
+    robot.subscriber("/same", RecordCodec.of(StdString.class), SubscriberOptions.standard(),
+        (t, r) -> same.add(t.data()));
+    robot.subscriber("/other", RecordCodec.of(StdString.class), SubscriberOptions.standard(),
+        (t, r) -> other.add(t.data()));
+    rfic.start();
+    await(() -> {
+      relay(asItCame("same", "# with a comment\nstring data\n"));
+      relay(asItCame("other", "string text\n"));
+      return same.contains("as") && other.size() > 1;
+    });
+    assertFalse(other.contains("as"), "a definition with other names is another type");
   }
 
   @Test

@@ -14,6 +14,8 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.robotui.api.config.Setting;
 import org.robotui.api.config.Settings;
+import org.robotui.api.port.CallException;
+import org.robotui.api.port.CallHandler;
 import org.robotui.api.port.CommandSink;
 import org.robotui.api.port.CommandSink.Sent;
 import org.robotui.data.ClockKind;
@@ -88,6 +90,32 @@ abstract class RosRficCase {
   @SuppressWarnings("unchecked")
   Sent send(String port, Data command) {
     return ((CommandSink<Data>) context.sinks.get(port)).send(command);
+  }
+
+  @SuppressWarnings("unchecked")
+  <Q, R> R call(String port, Q request) throws CallException, InterruptedException {
+    await(() -> context.handlers.containsKey(port));
+    return ((CallHandler<Q, R>) context.handlers.get(port)).handle(new CallHandler.Invocation<>() {
+      @Override
+      public Q request() {
+        return request;
+      }
+
+      @Override
+      public long deadlineNanos() {
+        return System.nanoTime() + Duration.ofSeconds(3).toNanos();
+      }
+
+      @Override
+      public void progress(double fraction, String message) {
+        // services have no progress
+      }
+
+      @Override
+      public void feedback(DynamicRecord record) {
+        // nor feedback
+      }
+    });
   }
 
   static void await(BooleanSupplier condition) {

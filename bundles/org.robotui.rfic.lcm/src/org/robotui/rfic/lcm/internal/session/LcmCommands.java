@@ -2,6 +2,7 @@ package org.robotui.rfic.lcm.internal.session;
 
 import java.io.IOException;
 import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -14,6 +15,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ThreadFactory;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Function;
 import org.robotui.api.RficContext;
 import org.robotui.api.link.Pulse;
 import org.robotui.api.port.Arity;
@@ -28,7 +30,6 @@ import org.robotui.data.record.DynamicRecord;
 import org.robotui.data.record.RecordTree;
 import org.robotui.lcm.Lcm;
 import org.robotui.lcm.LcmState;
-import org.robotui.lcm.type.LcmRecord;
 import org.robotui.lcm.type.LcmType;
 import org.robotui.lcm.type.TypeLibrary;
 import org.robotui.rfic.lcm.internal.LcmSettings;
@@ -41,6 +42,7 @@ import org.robotui.rfic.lcm.internal.language.FaultException;
 
 /** What goes to the robot. A message is sent now or not at all; nothing waits for a connection. */
 final class LcmCommands implements CommandSink<MessageCommand>, AutoCloseable {
+  private static final String ENCODING = "lcm";
   private static final double SECOND = 1e9;
   /** How long a stop at the end may take; a server that hangs keeps whoever sends to it until the link is closed. */
   private static final Duration STOP = Duration.ofMillis(300);
@@ -138,7 +140,7 @@ final class LcmCommands implements CommandSink<MessageCommand>, AutoCloseable {
 
   @Override
   public Sent send(MessageCommand command) {
-    return say(command.topic(), command.type(), command.fields());
+    return say(command.topic(), command.type(), own -> encoded(own, command.fields()));
   }
 
   /** A channel has the type of what is heard there; else that of the message, as two robots may share their types. */
@@ -158,10 +160,22 @@ final class LcmCommands implements CommandSink<MessageCommand>, AutoCloseable {
       return new Sent.Refused("no type of LCM carries " + said.value().getClass().getSimpleName()
           + " by itself: give the bridge the type of " + said.topic() + " with 'type', and its fields with 'fields'");
     }
-    return say(said.topic(), type.get(), RecordTree.of(record.get()));
+    return say(said.topic(), type.get(),
+        own -> asItCame(said, own).orElseGet(() -> encoded(own, RecordTree.of(record.get()))));
   }
 
-  private Sent say(String channel, String typeName, Map<String, Object> fields) {
+  /** The bytes begin with what tells whether the type is the same. */
+  private static Optional<ByteBuffer> asItCame(RelayMessage said, LcmType own) {
+    return said.original().wire().filter(wire -> wire.encoding().equals(ENCODING))
+        .map(wire -> wire.bytes().buffer(ByteOrder.BIG_ENDIAN))
+        .filter(bytes -> bytes.remaining() >= Long.BYTES && bytes.getLong(bytes.position()) == own.fingerprint());
+  }
+
+  private ByteBuffer encoded(LcmType type, Map<String, Object> fields) {
+    return type.encode(new RecordFiller(types).fill(type, fields));
+  }
+
+  private Sent say(String channel, String typeName, Function<LcmType, ByteBuffer> bytes) {
     Optional<LcmType> type = types.type(typeName);
     if (type.isEmpty()) {
       return new Sent.Refused("no .lcm file declares the type " + typeName);
@@ -173,13 +187,12 @@ final class LcmCommands implements CommandSink<MessageCommand>, AutoCloseable {
     }
     return moving.contains(channel)
         ? new Sent.Refused(channel + " moves the robot; drive it with a view that limits and ends the motion")
-        : say(channel, type.get(), fields);
+        : say(channel, type.get(), bytes);
   }
 
-  private Sent say(String channel, LcmType type, Map<String, Object> fields) {
+  private Sent say(String channel, LcmType type, Function<LcmType, ByteBuffer> bytes) {
     try {
-      LcmRecord record = new RecordFiller(types).fill(type, fields);
-      return publish(channel, type.encode(record));
+      return publish(channel, bytes.apply(type));
     } catch (IllegalArgumentException | ArithmeticException e) {
       return new Sent.Refused(type.name() + " is not filled in like this: " + e.getMessage());
     }

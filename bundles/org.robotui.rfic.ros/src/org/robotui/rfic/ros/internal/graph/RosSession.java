@@ -16,6 +16,7 @@ import org.robotui.message.MessageRegistry;
 import org.robotui.message.topic.ActionCalls;
 import org.robotui.message.topic.DescriptionPort;
 import org.robotui.message.topic.RobotTopics;
+import org.robotui.message.topic.ServedServices;
 import org.robotui.message.topic.TopicClient;
 import org.robotui.message.topic.TopicGraph;
 import org.robotui.message.topic.TopicPorts;
@@ -23,6 +24,7 @@ import org.robotui.net.call.Outcome;
 import org.robotui.rfic.ros.internal.RosSettings;
 import org.robotui.rfic.ros.internal.call.RosActionRoute;
 import org.robotui.rfic.ros.internal.call.RosBrowser;
+import org.robotui.rfic.ros.internal.call.RosHosting;
 import org.robotui.rfic.ros.internal.call.RosServices;
 import org.robotui.rfic.ros.internal.call.RosTunables;
 import org.robotui.rfic.ros.internal.convert.RecordDecoder;
@@ -44,6 +46,8 @@ public final class RosSession implements RobotSession {
   private final RobotTopics topics;
   private final DescriptionPort description;
   private final Offer services;
+  private final ServedServices served;
+  private final Offer serve;
   private final ActionCalls actions;
   private final Offer goals;
   private final RosTunables tunables;
@@ -73,6 +77,8 @@ public final class RosSession implements RobotSession {
     this.description = DescriptionFeed.open(context, node.parameters(), settings.topics(),
         Optional.ofNullable(System.getenv("ROS_PACKAGE_PATH")).orElse(""));
     this.services = context.offers().call(TopicPorts.SERVICES, new RosServices(node, registry));
+    this.served = new ServedServices(new RosHosting(node, registry), settings.topics());
+    this.serve = context.offers().call(TopicPorts.SERVE, served);
     this.actions = new ActionCalls(action -> RosActionRoute.open(node, action, registry, context.threads()));
     this.goals = context.offers().call(TopicPorts.ACTIONS, actions);
     this.tunables = new RosTunables(node);
@@ -90,6 +96,7 @@ public final class RosSession implements RobotSession {
         nextLook = System.nanoTime() + LOOK.toNanos();
       }
       topics.tick();
+      served.tick();
       description.tick();
       tunables.tick();
       try {
@@ -125,6 +132,8 @@ public final class RosSession implements RobotSession {
     topics.stop();
     node.leave();
     services.close();
+    serve.close();
+    served.close();
     goals.close();
     actions.close();
     tunables.close();

@@ -7,6 +7,7 @@ import java.util.function.Function;
 import org.robotui.message.DynamicCodec;
 import org.robotui.message.DynamicMessage;
 import org.robotui.message.MessageSchema;
+import org.robotui.message.RawCodec;
 import org.robotui.message.RecordCodec;
 import org.robotui.message.SchemaLookup;
 import org.robotui.message.data.MessageForm;
@@ -82,7 +83,8 @@ final class RosTopicClient implements TopicClient {
   @Override
   public TopicPublisher<DynamicMessage> relayed(String topic, MessageSchema schema, boolean kept) {
     PublisherOptions options = kept ? PublisherOptions.latched() : PublisherOptions.standard();
-    return new Published<>(node.publisher(topic, new DynamicCodec(schema), options.withQueue(MOST_RELAYED)));
+    return new RelayedTopic(
+        node.publisher(topic, new RawCodec(schema.info()), options.withQueue(MOST_RELAYED)), schema.info());
   }
 
   @Override

@@ -16,12 +16,14 @@ import org.robotui.api.session.RobotSession;
 import org.robotui.message.topic.ActionCalls;
 import org.robotui.message.topic.DescriptionTopics;
 import org.robotui.message.topic.RobotTopics;
+import org.robotui.message.topic.ServedServices;
 import org.robotui.message.topic.TopicPorts;
 import org.robotui.rfic.ros2.internal.Ros2Settings;
 import org.robotui.rfic.ros2.internal.call.DescriptionParameters;
 import org.robotui.rfic.ros2.internal.call.NodeParameters;
 import org.robotui.rfic.ros2.internal.call.Ros2ActionRoute;
 import org.robotui.rfic.ros2.internal.call.Ros2Browser;
+import org.robotui.rfic.ros2.internal.call.Ros2Hosting;
 import org.robotui.rfic.ros2.internal.call.Ros2Services;
 import org.robotui.rfic.ros2.internal.convert.TypeLookups;
 import org.robotui.ros2.Ros2Context;
@@ -46,6 +48,7 @@ public final class Ros2Session implements RobotSession {
   private final Ros2TopicClient client;
   private final RobotTopics topics;
   private final DescriptionTopics description;
+  private final ServedServices served;
   private final ActionCalls actions;
   private final NodeParameters parameters;
   private final DescriptionParameters described;
@@ -71,11 +74,13 @@ public final class Ros2Session implements RobotSession {
     this.client = new Ros2TopicClient(node, lookups);
     this.topics = new RobotTopics(context, settings.topics(), client, domain.transforms());
     this.description = new DescriptionTopics(context, settings.topics(), settings.packages(), client);
+    this.served = new ServedServices(new Ros2Hosting(node), settings.topics());
     this.actions = new ActionCalls(action -> Ros2ActionRoute.open(node, action, context.threads()));
     this.parameters = new NodeParameters(node);
     this.described =
         new DescriptionParameters(node, parameters, settings.topics(), description, context.threads());
     offers.add(context.offers().call(TopicPorts.SERVICES, new Ros2Services(node)));
+    offers.add(context.offers().call(TopicPorts.SERVE, served));
     offers.add(context.offers().call(TopicPorts.ACTIONS, actions));
     offers.add(context.offers().browse(TopicPorts.GRAPH, new Ros2Browser(node, parameters)));
   }
@@ -90,6 +95,7 @@ public final class Ros2Session implements RobotSession {
         nextLook = System.nanoTime() + LOOK.toNanos();
       }
       topics.tick();
+      served.tick();
       description.tick();
       parameters.tick();
     } while (!stop.getAsBoolean() && !closed.await(CLOCK.toMillis(), TimeUnit.MILLISECONDS));
@@ -142,6 +148,7 @@ public final class Ros2Session implements RobotSession {
     topics.stop();
     closed.countDown();
     offers.forEach(Offer::close);
+    served.close();
     actions.close();
     lookups.close();
     described.close();

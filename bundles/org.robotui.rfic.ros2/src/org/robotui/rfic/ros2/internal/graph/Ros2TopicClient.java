@@ -137,8 +137,9 @@ final class Ros2TopicClient implements TopicClient {
 
   @Override
   public TopicPublisher<DynamicMessage> relayed(String topic, MessageSchema schema, boolean kept) {
-    return new TopicOut<>(node.publisher(topic, Ros2Codec.of(name(schema.definition().type()), schema),
-        kept ? QosProfiles.LATCHED : QosProfiles.DEFAULT));
+    Ros2Codec<DynamicMessage> codec = Ros2Codec.of(name(schema.definition().type()), schema);
+    return new RelayedOut(new TopicOut<>(node.publisher(topic, Ros2Codec.raw(codec.type(), codec.hash()),
+        kept ? QosProfiles.LATCHED : QosProfiles.DEFAULT)), codec);
   }
 
   @Override
