@@ -4,5 +4,5 @@
  * <p>A bundle registers one {@link org.robotui.api.ComponentType} service per component; core creates, owns and closes
  * the instances.
  */
-@org.osgi.annotation.versioning.Version("1.7.0")
+@org.osgi.annotation.versioning.Version("1.8.0")
 package org.robotui.api;
