@@ -5,16 +5,21 @@ import json
 import os
 import re
 import shutil
+import subprocess
 import sys
 import threading
 
 import pytest
 
-from conftest import NO_DISPLAY, ROOT, free_port, wait_for
+from conftest import NO_DISPLAY, ROOT, Robot, free_port, wait_for
+from desktop import DARK, Picture, Window, missing, output
 from test_product import PRODUCTS, UPDATE_SITE, installed, run
 
 sys.path.insert(0, str(ROOT / "tests" / "sample-site"))
 
+sys.path.insert(0, str(ROOT / "tools/python"))
+
+import robotui  # noqa: E402
 import sample_sites  # noqa: E402
 
 FEATURE = "org.example.feature.line"
@@ -185,3 +190,74 @@ def test_what_a_build_makes_in_a_folder_is_linked(product, made, tmp_path):
     assert os.readlink(product.folder / "line-1.0.0-SNAPSHOT.jar") == str(target / "line-1.0.0-SNAPSHOT.jar")
     checked = product.ask("check", product.config)
     assert checked.returncode == 0, checked.stdout + checked.stderr
+
+
+class Software:
+    """The form in which a user installs and removes. Its first feature by name is that of the site; buttons that can do nothing are passed over by Tab."""
+
+    def __init__(self, window):
+        output("xdotool", "windowactivate", "--sync", window.id)
+        output("xdotool", "key", "--delay", "0", "ctrl+3", *"install", "Return")
+        self.id = wait_for(lambda: titled("^Install software"), what="the form")
+        self.row = wait_for(self._offered, what="what the site offers")
+
+    def _offered(self):
+        """The version that is new, in the colour of accents."""
+        picture = Picture(output("import", "-silent", "-window", self.id, "-depth", "8", "ppm:-"))
+        return picture.middle(DARK["accent"], picture.width // 3, 60, picture.width, picture.height // 2)
+
+    def press(self):
+        """What can be done with the feature: to install or to remove it."""
+        output("xdotool", "mousemove", "--window", self.id, *map(str, self.row), "click", "1", "sleep", "0.5", "key", "Tab", "Tab", "space")
+
+    def install_unsigned(self):
+        self.press()
+        asked = wait_for(lambda: titled("^Not signed"), what="the question")
+        output("xdotool", "windowactivate", "--sync", asked, "key", "Return")
+
+
+def setting_of(ui):
+    """None until the view runs again."""
+    try:
+        return ui.call("settings", "trip")["limit"]
+    except robotui.Error:
+        return None
+
+
+def titled(title):
+    found = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", title], capture_output=True, text=True, timeout=20, check=False).stdout.split()
+    return found[-1] if found else None
+
+
+@pytest.mark.skipif(bool(missing()), reason=f"tests in a window need {missing()}")
+def test_a_view_is_installed_in_the_window_opened_and_removed_and_its_settings_stay(made, site, processes, environment, tmp_path):
+    home = shutil.copytree(PRODUCTS["workbench"], tmp_path / "robotui", symlinks=True, ignore=shutil.ignore_patterns("classes.jsa"))
+    state = tmp_path / "state/robotui"
+    state.mkdir(parents=True)
+    site.show("view")
+    (state / "update-sites.txt").write_text(f"{site.address}\n", encoding="utf-8")
+    config = tmp_path / "one.yaml"
+    config.write_text("ruics:\n  Robby:\n    type: single\n    view: status\n    rfics:\n      base: {type: player, port: 1}\n", encoding="utf-8")
+    surroundings = environment | {"XDG_STATE_HOME": str(tmp_path / "state"), "XDG_DATA_HOME": str(tmp_path / "data")}
+    process = processes.start([home / "robotui", "run", config, "--theme", "dark", "--script-socket"], "robotui", surroundings)
+    window = Window(process)
+    (socket,) = wait_for(lambda: list(state.glob("run/script-*.sock")), what="the socket for scripts")
+
+    def types():
+        return [each["type"] for each in ui.call("viewTypes")]
+
+    with robotui.connect(socket, timeout=30) as ui:
+        assert "trip" not in types()
+        form = Software(window)
+        form.install_unsigned()
+        wait_for(lambda: "trip" in types(), 30, "the type of the view")
+        ui.run('openView("trip"); setSetting("trip", "limit", 25)')
+        assert ui.call("settings", "trip")["limit"] == 25
+
+        form.press()
+        wait_for(lambda: "trip" not in types(), 30, "that it is gone")
+
+        form.install_unsigned()
+        wait_for(lambda: "trip" in types(), 30, "its return")
+        wait_for(lambda: setting_of(ui) == 25, what="the setting that stayed")
+    assert process.poll() is None

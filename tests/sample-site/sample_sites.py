@@ -9,25 +9,26 @@ import zipfile
 HERE = pathlib.Path(__file__).resolve().parent
 PRODUCT = HERE.parents[1] / "product/target"
 PUBLISHER = PRODUCT / "products/org.robotui.headless.product/linux/gtk/x86_64/robotui"
-BUNDLE = "org.robotui.rfic.line"
+LINE, TRIP = "org.robotui.rfic.line", "org.robotui.uic.trip"
 SITES = {
-    "one": ("org.example.feature.line", "Robots that speak lines", "1.0.0", ""),
-    "two": ("org.example.feature.line", "Robots that speak lines", "2.0.0", ""),
-    "lacking": ("org.example.feature.lacking", "Lines by radio", "1.0.0", '<requires><import plugin="org.example.radio" version="3.0.0" match="compatible"/></requires>'),
+    "one": (LINE, "org.example.feature.line", "Robots that speak lines", "1.0.0", ""),
+    "two": (LINE, "org.example.feature.line", "Robots that speak lines", "2.0.0", ""),
+    "view": (TRIP, "org.example.feature.trip", "A trip of a robot", "1.0.0", ""),
+    "lacking": (LINE, "org.example.feature.lacking", "Lines by radio", "1.0.0", '<requires><import plugin="org.example.radio" version="3.0.0" match="compatible"/></requires>'),
 }
 
 
 def make(folder, name):
     """One site, from its sources."""
-    feature, label, version, needs = SITES[name]
+    plugin, feature, label, version, needs = SITES[name]
     sources = folder / f"{name}-sources"
     for part in ("plugins", "features"):
         (sources / part).mkdir(parents=True)
-    (built,) = (PRODUCT / "repository/plugins").glob(f"{BUNDLE}_*.jar")
+    (built,) = (PRODUCT / "repository/plugins").glob(f"{plugin}_*.jar")
     bundle = f"{version}.sample"
-    with_version(built, sources / f"plugins/{BUNDLE}_{bundle}.jar", bundle)
+    with_version(built, sources / f"plugins/{plugin}_{bundle}.jar", bundle)
     text = (HERE / "feature.xml.in").read_text(encoding="utf-8")
-    for word, value in {"id": feature, "label": label, "version": version, "bundle": bundle, "needs": needs}.items():
+    for word, value in {"id": feature, "label": label, "version": version, "plugin": plugin, "bundle": bundle, "needs": needs}.items():
         text = text.replace(f"@{word}@", value)
     with zipfile.ZipFile(sources / f"features/{feature}_{version}.jar", "w") as jar:
         jar.writestr("feature.xml", text)
