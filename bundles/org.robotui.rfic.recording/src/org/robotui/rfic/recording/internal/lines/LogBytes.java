@@ -16,8 +16,8 @@ import org.robotui.recording.RecordingDamage;
 import org.robotui.recording.RecordingException;
 
 /**
- * The bytes of a log. One that is compressed by gzip is decompressed into a file that is gone from its folder as soon as
- * it is open, so that none is left behind.
+ * The bytes of a log. One that is compressed by gzip is decompressed into a file that is gone from its folder as soon
+ * as it is open, so that none is left behind.
  *
  * @param in all of them
  * @param damage where it could be decompressed in part only

@@ -49,7 +49,8 @@ public final class LogTool {
 
   /**
    * @param arguments {@code info|check [--json] FILE}, {@code repair|convert|cut FILE NEW}, {@code merge FILE... NEW},
-   * {@code export FILE --out FOLDER}, {@code export FILE --video FILE.mp4 --rate N}, {@code report FILE --out PAGE}, {@code offset [--json]
+   * {@code export FILE --out FOLDER}, {@code export FILE --video FILE.mp4 --rate N}, {@code report FILE --out PAGE},
+   * {@code offset [--json]
    * FILE FILE}, {@code find [--json] FILE... --where CONDITION} or what {@link CompareCommand} says; those that write
    * recordings with {@code --compression WORD}, the last five with {@code --from} and {@code --to}, {@code cut},
    * {@code merge} and {@code export} with {@code --topics}, {@code export} with {@code --format csv|jsonl}, all with
