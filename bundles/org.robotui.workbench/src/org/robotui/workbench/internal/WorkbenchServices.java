@@ -19,6 +19,7 @@ import org.robotui.api.record.Recorder;
 import org.robotui.api.replay.OffsetEstimation;
 import org.robotui.api.replay.RecordingComparison;
 import org.robotui.api.replay.RecordingReports;
+import org.robotui.api.replay.RecordingVideos;
 import org.robotui.api.replay.RecordingSearch;
 import org.robotui.api.replay.Timeline;
 import org.robotui.api.script.Scripts;
@@ -110,6 +111,10 @@ public final class WorkbenchServices {
   }
 
   /** What writes reports of recordings; not there where they cannot be played. */
+  static Optional<RecordingVideos> videos() {
+    return service(RecordingVideos.class);
+  }
+
   static Optional<RecordingReports> reports() {
     return service(RecordingReports.class);
   }

@@ -64,7 +64,8 @@ public final class WorkbenchSession {
       new RecordingCalls(this::later, task -> Thread.ofPlatform().daemon().name("robotui-recordings").start(task));
   private final RunCompare compare = new RunCompare(calls, WorkbenchServices::comparison);
   private final TrackAnalysis analysis =
-      new TrackAnalysis(calls, WorkbenchServices::offsets, WorkbenchServices::reports);
+      new TrackAnalysis(calls, WorkbenchServices::offsets, WorkbenchServices::reports,
+          WorkbenchServices::videos);
 
   /**
    * Starts to follow the core.

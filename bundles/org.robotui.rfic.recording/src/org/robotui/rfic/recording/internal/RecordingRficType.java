@@ -47,7 +47,7 @@ public final class RecordingRficType implements RficType {
   @Override
   public Optional<FileKind> files() {
     return Optional.of(new FileKind("Recordings",
-        List.of("mcap", "bag", "bag.active", "db3", "mcap.zstd", "db3.zstd", "lcm", "lcmlog", "log"),
+        List.of("mcap", "bag", "bag.active", "db3", "mcap.zstd", "db3.zstd", "lcm", "lcmlog", "log", "log.gz"),
         List.of("metadata.yaml", "*_0.db3", "*_0.mcap"), RecordingSettings.FILE));
   }
 

@@ -145,7 +145,8 @@ public final class BarState {
   OptionalInt elsewhere(TimeScale scale) {
     OptionalLong time = pointed.elsewhere(this);
     return time.isPresent() && pointer.isEmpty() && scale.shown().nearest(time.getAsLong()) == time.getAsLong()
-        ? OptionalInt.of(scale.x(time.getAsLong())) : OptionalInt.empty();
+        ? OptionalInt.of(scale.x(time.getAsLong()))
+        : OptionalInt.empty();
   }
 
   /** The time at which the user points. */

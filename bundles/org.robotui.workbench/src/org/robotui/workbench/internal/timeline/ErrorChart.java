@@ -12,7 +12,6 @@ import org.eclipse.swt.widgets.Control;
 import org.robotui.api.replay.ComparisonReport.ComparedError;
 import org.robotui.api.time.PointedTime;
 import org.robotui.ui.Face;
-import org.robotui.ui.Figures;
 import org.robotui.ui.PaintedCanvas;
 import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
@@ -70,7 +69,8 @@ final class ErrorChart {
   private Optional<Integer> under() {
     Rectangle plot = plot(canvas.getClientArea());
     return pointer.isEmpty() || pointer.getAsInt() < plot.x || pointer.getAsInt() > plot.x + plot.width
-        ? Optional.empty() : line.map(each -> each.nearest(plot, pointer.getAsInt()));
+        ? Optional.empty()
+        : line.map(each -> each.nearest(plot, pointer.getAsInt()));
   }
 
   private static Rectangle plot(Rectangle area) {

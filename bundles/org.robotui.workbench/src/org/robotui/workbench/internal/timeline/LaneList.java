@@ -173,6 +173,10 @@ final class LaneList {
       menu.push("Compare " + topic.of().lane().topic() + " with Another Recording\u2026",
           () -> compare.accept(track, topic.of().lane().topic())).line();
     }
+    if (row instanceof Row.Topic topic && topic.of().lane().type().endsWith("Image")) {
+      menu.push("Write a Video of " + topic.of().lane().topic() + "\u2026", !analysis.isBusy(track.id()),
+          () -> video(track, topic.of().lane().topic())).line();
+    }
     menu.push("Offset of " + track.file().getFileName() + " (" + TimeWords.offset(track.offset()) + " s)\u2026",
         () -> askOffset(track, "Seconds added to the times of " + track.file().getFileName(), track.offset()));
     live.tracks().stream().filter(other -> !other.id().equals(track.id())).limit(MOST_OTHERS)
@@ -209,15 +213,22 @@ final class LaneList {
   private void report(Track track) {
     String name = track.file().getFileName().toString();
     SaveDialog.ask(canvas, "Write a Report", name.replaceFirst("\\.[^.]*$", "") + ".html", "*.html")
-        .ifPresent(file -> analysis.report(track.id(), file, answer -> {
-          if (!canvas.isDisposed()) {
-            String words = switch (answer) {
-              case Answer.Given<Path> given -> "It was written to " + given.value();
-              case Answer.Failed<Path> failed -> "There is none: " + failed.why();
-            };
-            MessageDialog.openInformation(canvas.getShell(), "Report of " + name, words);
-          }
-        }));
+        .ifPresent(file -> analysis.report(track.id(), file, answer -> told("Report of " + name, answer)));
+  }
+
+  private void video(Track track, String topic) {
+    SaveDialog.ask(canvas, "Write a Video", topic.replaceFirst("^/", "").replace('/', '_') + ".mp4", "*.mp4", "*.webm")
+        .ifPresent(file -> analysis.video(track.id(), topic, file, answer -> told("Video of " + topic, answer)));
+  }
+
+  private void told(String title, Answer<Path> answer) {
+    if (!canvas.isDisposed()) {
+      String words = switch (answer) {
+        case Answer.Given<Path> given -> "It was written to " + given.value();
+        case Answer.Failed<Path> failed -> "There is none: " + failed.why();
+      };
+      MessageDialog.openInformation(canvas.getShell(), title, words);
+    }
   }
 
   /** To milliseconds: nobody can judge more. */

@@ -1,5 +1,6 @@
 package org.robotui.workbench.internal.timeline;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashSet;
 import java.util.Optional;
@@ -9,6 +10,7 @@ import java.util.function.Supplier;
 import org.robotui.api.replay.OffsetEstimate;
 import org.robotui.api.replay.OffsetEstimation;
 import org.robotui.api.replay.RecordingReports;
+import org.robotui.api.replay.RecordingVideos;
 import org.robotui.api.replay.TrackId;
 import org.robotui.workbench.internal.timeline.RecordingCalls.Answer;
 
@@ -19,6 +21,7 @@ public final class TrackAnalysis {
   private final RecordingCalls calls;
   private final Supplier<Optional<OffsetEstimation>> offsets;
   private final Supplier<Optional<RecordingReports>> reports;
+  private final Supplier<Optional<RecordingVideos>> videos;
   private final Set<TrackId> busy = new HashSet<>();
 
   /**
@@ -27,12 +30,14 @@ public final class TrackAnalysis {
    * @param calls runs what is asked for
    * @param offsets estimates offsets, where it is there
    * @param reports writes reports, where it is there
+   * @param videos writes videos, where it is there
    */
   public TrackAnalysis(RecordingCalls calls, Supplier<Optional<OffsetEstimation>> offsets,
-      Supplier<Optional<RecordingReports>> reports) {
+      Supplier<Optional<RecordingReports>> reports, Supplier<Optional<RecordingVideos>> videos) {
     this.calls = calls;
     this.offsets = offsets;
     this.reports = reports;
+    this.videos = videos;
   }
 
   boolean isBusy(TrackId track) {
@@ -48,6 +53,15 @@ public final class TrackAnalysis {
   /** Writes a report to a file. */
   void report(TrackId track, Path file, Consumer<Answer<Path>> told) {
     start(track, () -> RecordingCalls.write(file, there(reports).page(track)), told);
+  }
+
+  /** Writes a video of a camera to a file that the user chose, in place of what is there. */
+  void video(TrackId track, String topic, Path file, Consumer<Answer<Path>> told) {
+    start(track, () -> {
+      Files.deleteIfExists(file);
+      there(videos).write(track, topic, file);
+      return file;
+    }, told);
   }
 
   private static <S> S there(Supplier<Optional<S>> service) {

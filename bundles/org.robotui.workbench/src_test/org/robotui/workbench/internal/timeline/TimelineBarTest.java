@@ -49,7 +49,7 @@ class TimelineBarTest {
   private final RecordingCalls calls = new RecordingCalls(Runnable::run, Runnable::run);
   private final RunCompare compare =
       new RunCompare(calls, () -> Optional.of(PretendComparison.CIRCLE));
-  private final TrackAnalysis analysis = new TrackAnalysis(calls, Optional::empty, Optional::empty);
+  private final TrackAnalysis analysis = new TrackAnalysis(calls, Optional::empty, Optional::empty, Optional::empty);
   private TimelineBar bar;
 
   @BeforeEach

@@ -64,7 +64,9 @@ final class TimelineGallery {
     bar.expand(words.length > 3);
     live.stepBy(new LaneId(PretendTimeline.KEIRA, "/odom"));
     TimelineBar control = new TimelineBar(shell, theme, live, search, compare,
-        new TrackAnalysis(new RecordingCalls(Runnable::run, Runnable::run), Optional::empty, Optional::empty), bar);
+        new TrackAnalysis(new RecordingCalls(Runnable::run, Runnable::run), Optional::empty, Optional::empty,
+            Optional::empty),
+        bar);
     control.setLayoutData(new GridData(SWT.FILL, SWT.BOTTOM, true, false));
     shell.setBounds(0, 0, Integer.parseInt(words[1]), 420);
     shell.open();

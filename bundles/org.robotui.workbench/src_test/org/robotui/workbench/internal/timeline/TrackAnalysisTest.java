@@ -29,7 +29,8 @@ class TrackAnalysisTest {
   private final List<Answer<?>> answers = new ArrayList<>();
 
   private TrackAnalysis analysis(OffsetEstimation estimation) {
-    return new TrackAnalysis(calls, () -> Optional.of(estimation), () -> Optional.of(track -> "<html/>"));
+    return new TrackAnalysis(calls, () -> Optional.of(estimation), () -> Optional.of(track -> "<html/>"),
+        Optional::empty);
   }
 
   @Test
@@ -53,7 +54,7 @@ class TrackAnalysisTest {
     analysis((reference, moved) -> {
       throw new IllegalStateException("odd");
     }).offset(ONE, OTHER, answers::add);
-    new TrackAnalysis(calls, Optional::empty, Optional::empty).offset(ONE, OTHER, answers::add);
+    new TrackAnalysis(calls, Optional::empty, Optional::empty, Optional::empty).offset(ONE, OTHER, answers::add);
     work.forEach(Runnable::run);
     assertEquals(List.of(new Answer.Failed<>(OffsetEstimate.NONE), new Answer.Failed<>("run.bag was closed"),
         new Answer.Failed<>("it failed: java.lang.IllegalStateException: odd"),

@@ -61,7 +61,8 @@ public final class RunComparison {
       pairs = PosePairs.nearest(first, second, shift, wish.mostApart());
     }
     return new ComparedRuns(pairs.times().size(), first.size(), second.size(), shift,
-        pairs.aligned(wish.fit()).errors(wish.step()).stream().map(each -> each.over(first::goneAt)).toList(), problems);
+        pairs.aligned(wish.fit()).errors(wish.step()).stream().map(each -> each.over(first::goneAt)).toList(),
+        problems);
   }
 
   private RecordedWay way(ComparedFile file, String topic) throws CompareException, IOException, InterruptedException {

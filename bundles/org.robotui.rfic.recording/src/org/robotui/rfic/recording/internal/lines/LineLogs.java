@@ -1,7 +1,6 @@
 package org.robotui.rfic.recording.internal.lines;
 
 import java.io.IOException;
-import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -14,7 +13,7 @@ import org.robotui.recording.ScanProgress;
 /** Opens logs that are lines of text. */
 public final class LineLogs {
   /** What can be opened, for users. */
-  public static final String KNOWN = "logs of CARMEN and Player";
+  public static final String KNOWN = "logs of CARMEN and Player (also .gz)";
 
   private static final int HEAD = 1 << 18;
 
@@ -46,7 +45,12 @@ public final class LineLogs {
   public static RecordingReader open(Path file, ScanProgress progress) throws RecordingException {
     LineRuns runs = new LineRuns(file, format(file)
         .orElseThrow(() -> new RecordingException(file, 0, "this is no log that is known here: " + KNOWN + " are")));
-    runs.scan(progress);
+    try {
+      runs.scan(progress);
+    } catch (RecordingException | RuntimeException e) {
+      runs.close();
+      throw e;
+    }
     return Recordings.of(runs);
   }
 
@@ -61,8 +65,8 @@ public final class LineLogs {
 
   /** What is no text has letters that no log has, and is found to be none by its first line. */
   private static String head(Path file) throws RecordingException {
-    try (InputStream bytes = Files.newInputStream(file)) {
-      String text = new String(bytes.readNBytes(HEAD), StandardCharsets.UTF_8);
+    try {
+      String text = new String(LogBytes.head(file, HEAD), StandardCharsets.UTF_8);
       int end = text.lastIndexOf('\n');
       return end < 0 ? text : text.substring(0, end);
     } catch (IOException e) {

@@ -15,9 +15,12 @@ import org.robotui.recording.RecordedMessage;
 import org.robotui.recording.RecordingDamage;
 import org.robotui.recording.RecordingException;
 import org.robotui.recording.ScanProgress;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /** The lines of a log in pieces of a megabyte. Filled by one thread, then read by any, one at a time. */
 final class LineRuns implements MessageRuns {
+  private static final Logger LOG = LoggerFactory.getLogger(LineRuns.class);
   private static final int BLOCK = 1 << 20;
   private static final int LONGEST = 1 << 20;
   private static final int MOST_DAMAGES = 1000;
@@ -26,25 +29,29 @@ final class LineRuns implements MessageRuns {
   private record Piece(long from, int length) {}
 
   private final Path file;
+  private final LogBytes bytes;
   private final LineFormat format;
   private final List<Run> runs = new ArrayList<>();
   private final List<Piece> pieces = new ArrayList<>();
   private final List<RecordingDamage> damages = new ArrayList<>();
 
-  LineRuns(Path file, LineFormat format) {
+  LineRuns(Path file, LineFormat format) throws RecordingException {
     this.file = file;
+    this.bytes = LogBytes.open(file);
+    bytes.damage().ifPresent(damages::add);
     this.format = format;
   }
 
   /** Reads through all of it. */
   void scan(ScanProgress progress) throws RecordingException {
-    try (RandomAccessFile in = new RandomAccessFile(file.toFile(), "r")) {
+    try {
+      RandomAccessFile in = bytes.in();
       long size = in.length();
       long at = 0;
       while (at < size) {
-        byte[] bytes = bytes(in, at, (int) Math.min(BLOCK + LONGEST, size - at));
-        int length = at + bytes.length == size && bytes.length <= BLOCK ? bytes.length : endOfLine(bytes);
-        add(new Piece(at, length), bytes);
+        byte[] block = bytes(in, at, (int) Math.min(BLOCK + LONGEST, size - at));
+        int length = at + block.length == size && block.length <= BLOCK ? block.length : endOfLine(block);
+        add(new Piece(at, length), block);
         at += length;
         progress.scanned(at, size);
       }
@@ -130,8 +137,8 @@ final class LineRuns implements MessageRuns {
   public List<RecordedMessage> read(int run) throws RecordingException {
     Piece piece = pieces.get(run);
     List<RecordedMessage> messages = new ArrayList<>();
-    try (RandomAccessFile in = new RandomAccessFile(file.toFile(), "r")) {
-      lines(piece, bytes(in, piece.from(), piece.length()), (line, place) -> {
+    try {
+      lines(piece, bytes(bytes.in(), piece.from(), piece.length()), (line, place) -> {
         try {
           messages.addAll(format.messages(line));
         } catch (IllegalArgumentException e) {
@@ -152,6 +159,10 @@ final class LineRuns implements MessageRuns {
 
   @Override
   public void close() {
-    // it is open while it is read
+    try {
+      bytes.in().close();
+    } catch (IOException e) {
+      LOG.debug("{} is not closed", file, e);
+    }
   }
 }

@@ -7,10 +7,10 @@ import java.io.UncheckedIOException;
 import java.util.Base64;
 import java.util.Optional;
 import javax.imageio.ImageIO;
-import org.robotui.data.array.Bytes;
 import org.robotui.data.image.CompressedImage;
 import org.robotui.data.image.Image;
 import org.robotui.data.image.RawImage;
+import org.robotui.rfic.recording.internal.video.PictureFrame;
 
 /** Pictures as browsers show them, within a page. */
 final class WebPicture {
@@ -45,28 +45,11 @@ final class WebPicture {
   }
 
   private static Optional<String> raw(RawImage image) {
-    Optional<int[]> order = switch (image.encoding()) {
-      case RGB8, RGBA8, U8C3, U8C4 -> Optional.of(new int[]{0, 1, 2});
-      case BGR8, BGRA8 -> Optional.of(new int[]{2, 1, 0});
-      case MONO8, U8C1 -> Optional.of(new int[]{0, 0, 0});
-      default -> Optional.empty();
-    };
-    return image.width() == 0 || image.height() == 0 ? Optional.empty()
-        : order.map(places -> address("png", png(image, places)));
+    return PictureFrame.raw(image, Math.max(1, (image.width() + WIDEST - 1) / WIDEST))
+        .map(picture -> address("png", png(picture)));
   }
 
-  private static byte[] png(RawImage image, int[] order) {
-    int step = Math.max(1, (image.width() + WIDEST - 1) / WIDEST);
-    BufferedImage picture = new BufferedImage((image.width() + step - 1) / step, (image.height() + step - 1) / step,
-        BufferedImage.TYPE_INT_RGB);
-    Bytes pixels = image.pixels();
-    for (int y = 0; y < picture.getHeight(); y++) {
-      for (int x = 0; x < picture.getWidth(); x++) {
-        int at = y * step * image.step() + x * step * image.encoding().bytesPerPixel();
-        picture.setRGB(x, y, pixels.unsigned(at + order[0]) << 16 | pixels.unsigned(at + order[1]) << 8
-            | pixels.unsigned(at + order[2]));
-      }
-    }
+  private static byte[] png(BufferedImage picture) {
     ByteArrayOutputStream out = new ByteArrayOutputStream();
     try {
       ImageIO.write(picture, "png", out);

@@ -28,13 +28,17 @@ import org.robotui.rfic.recording.internal.export.ExportFormat;
  * @param types where types of LCM are declared
  * @param format of what is exported
  * @param where the condition that is searched for; empty for none
+ * @param video the video that is written in place of files of messages
+ * @param rate its pictures a second
  */
 record LogCommand(Verb verb, List<Path> from, Optional<Path> to, boolean json, ChunkCompression compression,
     Optional<LogTime> begin, Optional<LogTime> end, List<Pattern> topics, List<Path> types, ExportFormat format,
-    String where) {
+    String where, Optional<Path> video, Optional<Double> rate) {
   private static final String KNOWN =
       "log knows info FILE, check FILE, repair FILE NEW, convert FILE NEW, cut FILE NEW, merge FILE... NEW"
-          + ", export FILE --out FOLDER, report FILE --out PAGE.html, find FILE... --where CONDITION, offset FILE FILE, compare FILE FILE --topic TOPIC and play FILE";
+          + ", export FILE --out FOLDER, export FILE --video FILE.mp4, report FILE --out PAGE.html, find FILE... --where CONDITION, offset FILE FILE, compare FILE FILE --topic TOPIC and play FILE";
+
+  private static final double MOST_PICTURES = 120;
 
   enum Verb {
     INFO, CHECK, REPAIR, CONVERT, CUT, MERGE, EXPORT, REPORT, OFFSET, FIND;
@@ -75,10 +79,13 @@ record LogCommand(Verb verb, List<Path> from, Optional<Path> to, boolean json, C
     List<Path> types = words.paths("--types");
     Optional<String> out = verb == Verb.EXPORT || verb == Verb.REPORT ? words.value("--out") : Optional.empty();
     Optional<String> format = verb == Verb.EXPORT ? words.value("--format") : Optional.empty();
+    Optional<String> video = verb == Verb.EXPORT ? words.value("--video") : Optional.empty();
+    Optional<Double> rate = video.isPresent() ? words.number("--rate", 1, MOST_PICTURES) : Optional.empty();
     Optional<String> where = verb == Verb.FIND ? words.value("--where") : Optional.empty();
     List<Path> files = files(verb, words.files());
-    if (verb == Verb.EXPORT && out.isEmpty()) {
-      throw new UsageException("log export needs --out and the folder where files are written");
+    if (verb == Verb.EXPORT && out.isPresent() == video.isPresent()) {
+      throw new UsageException("log export needs --out and the folder where files are written, or --video and the file"
+          + " of a video, such as --video front.mp4");
     }
     if (verb == Verb.REPORT && out.isEmpty()) {
       throw new UsageException("log report needs --out and the page that is written, such as --out run.html");
@@ -91,7 +98,8 @@ record LogCommand(Verb verb, List<Path> from, Optional<Path> to, boolean json, C
     int read = verb.writes() ? files.size() - 1 : files.size();
     return new LogCommand(verb, files.subList(0, read),
         out.map(Path::of).or(() -> files.stream().skip(read).findFirst()), json,
-        compression(compression), begin, end, topics, types, format(format), where.orElse(""));
+        compression(compression), begin, end, topics, types, format(format), where.orElse(""), video.map(Path::of),
+        rate);
   }
 
   private static void check(Optional<String> where) throws UsageException {

@@ -49,7 +49,8 @@ public final class LogTool {
 
   /**
    * @param arguments {@code info|check [--json] FILE}, {@code repair|convert|cut FILE NEW}, {@code merge FILE... NEW},
-   * {@code export FILE --out FOLDER}, {@code report FILE --out PAGE}, {@code offset [--json]
+   * {@code export FILE --out FOLDER}, {@code export FILE --video FILE.mp4 --rate N}, {@code report FILE --out PAGE},
+   * {@code offset [--json]
    * FILE FILE}, {@code find [--json] FILE... --where CONDITION} or what {@link CompareCommand} says; those that write
    * recordings with {@code --compression WORD}, the last five with {@code --from} and {@code --to}, {@code cut},
    * {@code merge} and {@code export} with {@code --topics}, {@code export} with {@code --format csv|jsonl}, all with
@@ -85,7 +86,8 @@ public final class LogTool {
         case INFO -> info(recordings.getFirst(), command.json());
         case CHECK -> check(recordings.getFirst(), command.json());
         case REPAIR, CONVERT, CUT, MERGE -> copy(recordings, command);
-        case EXPORT -> export(recordings.getFirst(), command);
+        case EXPORT -> command.video().isEmpty() ? export(recordings.getFirst(), command)
+            : new WrittenVideo(command, command.video().get(), out).write(recordings.getFirst()) ? WHOLE : DAMAGED;
         case REPORT -> new WrittenReport(command, out).write(recordings.getFirst()) ? WHOLE : DAMAGED;
         case OFFSET -> new OffsetLine(command, out).print(recordings) ? WHOLE : DAMAGED;
         case FIND -> new FoundLines(command, out, err).print(recordings) ? WHOLE : DAMAGED;

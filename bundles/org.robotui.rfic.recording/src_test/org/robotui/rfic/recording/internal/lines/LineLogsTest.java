@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -16,6 +17,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
+import java.util.zip.GZIPOutputStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIf;
 import org.junit.jupiter.api.io.TempDir;
@@ -77,6 +79,30 @@ class LineLogsTest {
       assertEquals("base_link", mount.header().frameId());
       assertEquals(0.78, mount.transform().translation().x(), 1e-6);
     }
+  }
+
+  @Test
+  @EnabledIf(value = SharedData.AVAILABLE, disabledReason = SharedData.REASON)
+  void that_are_compressed_are_read_and_told_where_they_are_cut_off() throws IOException {
+    Path plain = SharedData.file("carmen/sena_loop.log");
+    Path packed = folder.resolve("sena.log.gz");
+    try (OutputStream out = new GZIPOutputStream(Files.newOutputStream(packed))) {
+      Files.copy(plain, out);
+    }
+    try (RecordingReader log = open(packed); RecordingReader same = open(plain)) {
+      assertEquals(List.of(), log.damages());
+      assertEquals(packed, log.file());
+      assertEquals(same.messageCounts(), log.messageCounts());
+      assertEquals(of(same, "/robot_frontlaser").getLast().data(), of(log, "/robot_frontlaser").getLast().data());
+    }
+    byte[] all = Files.readAllBytes(packed);
+    Files.write(packed, Arrays.copyOf(all, all.length / 2));
+    try (RecordingReader log = open(packed)) {
+      assertTrue(log.damages().toString().contains("cannot be decompressed"), log.damages().toString());
+      assertTrue(of(log, "/robot_frontlaser").size() > 50);
+    }
+    Files.write(packed, Arrays.copyOf(all, 5));
+    assertFalse(LineLogs.isOne(packed));
   }
 
   @Test

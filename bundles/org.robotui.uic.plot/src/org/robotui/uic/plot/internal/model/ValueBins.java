@@ -8,9 +8,9 @@ import org.robotui.uic.plot.internal.trace.Samples;
 import org.robotui.uic.plot.internal.trace.TimeSpan;
 
 /**
- * How many samples have which values: bins of one width that begin at multiples of it. The width is that of Freedman and
- * Diaconis (twice the distance of the quartiles, divided by the cube root of the count) as a round number; whole numbers
- * within a small range have a bin each. Samples that are no number, or beyond 1e300, do not count.
+ * How many samples have which values: bins of one width that begin at multiples of it. The width is that of Freedman
+ * and Diaconis (twice the distance of the quartiles, divided by the cube root of the count) as a round number; whole
+ * numbers within a small range have a bin each. Samples that are no number, or beyond 1e300, do not count.
  *
  * @param low where the first bin begins
  * @param width of each bin; a value at its upper end belongs to the next

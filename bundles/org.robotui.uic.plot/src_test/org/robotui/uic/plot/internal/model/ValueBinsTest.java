@@ -61,7 +61,8 @@ class ValueBinsTest {
 
   @Test
   void valuesThatHardlyDifferAndTheLargestAreCounted() {
-    for (double[] values : List.of(new double[]{0.1, 0.1, 0.1}, new double[]{9e299, -9e299, 3.5}, new double[]{0, 5e299},
+    for (double[] values : List.of(new double[]{0.1, 0.1, 0.1}, new double[]{9e299, -9e299, 3.5},
+        new double[]{0, 5e299},
         new double[]{1.5, Math.nextUp(1.5)},
         new double[]{Double.MIN_VALUE, 0.5 * Double.MIN_NORMAL}, new double[]{1e17 + 0.5, 1e17 + 64, 0.5})) {
       ValueBins bins = bins(values);

@@ -1,0 +1,2 @@
+/** Pictures of cameras as videos, by ffmpeg. */
+package org.robotui.rfic.recording.internal.video;
