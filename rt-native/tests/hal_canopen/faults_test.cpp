@@ -82,7 +82,7 @@ TEST_F(CanOpenTest, states_that_do_not_come_are_a_time_out) {
   EXPECT_EQ(cycle(), Status::kTimeout);
   world.with(1, [](simulated::Drive& drive) { drive.ailments().sends_no_state = false; });
   EXPECT_TRUE(cycleUntil(Status::kOk)) << all();
-  EXPECT_TRUE(isTold("did not come in their cycle")) << all();
+  EXPECT_TRUE(isTold("that did not come in their cycle")) << all();
 }
 
 TEST_F(CanOpenTest, a_drive_that_restarts_is_configured_anew) {

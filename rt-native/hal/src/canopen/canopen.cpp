@@ -201,9 +201,10 @@ void CanOpen::tellLost(std::int64_t now_ns) {
     if (lost == told_lost_[i]) continue;
     told_lost_[i] = lost;
     const std::string name = nameOf(settings_.drives[i]);
-    notices_.tell("lost " + name,
-                  name + ": " + std::to_string(lost) + " states (PDO) did not come in their cycle since the start.",
-                  now_ns);
+    notices_.tell(
+        "lost " + name,
+        name + ": states (PDO) that did not come in their cycle since the start: " + std::to_string(lost) + ".",
+        now_ns);
   }
 }
 
