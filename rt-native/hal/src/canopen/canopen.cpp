@@ -122,7 +122,7 @@ Status CanOpen::sense(Measurements& into) noexcept {
   drain(now);
   tell(watch_->look());
   for (std::size_t i = 0; i < drives_.size() && i < into.joints.size(); ++i) {
-    tell(drives_[i]->look(now, was_asked_));
+    for (const Alarm& alarm : drives_[i]->look(now, was_asked_)) tell(alarm);
     drives_[i]->measure(into.joints[i]);
   }
   const Status status = judge();
