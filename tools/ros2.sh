@@ -1,12 +1,13 @@
 # Peers from PyPI, each in a virtual environment of its own: those that speak DDS, which are ROS 2 (rclpy on Fast DDS) and Cyclone DDS for Python, the servers of
-# Foxglove's protocol, the present one and its predecessor, and readers of recordings. Optional, made when wanted.
+# Foxglove's protocol, the present one and its predecessor, readers of recordings, and nodes of a CAN bus (CANopen). Optional, made when wanted.
 readonly ROS2_PEERS=$KEEP/ros2-peers
 readonly RCLPY_PACKAGES=(ros-rclpy ros-std-msgs ros-rmw-fastrtps-cpp ros-sensor-msgs ros-nav-msgs ros-geometry-msgs ros-std-srvs)
 readonly CYCLONE_PACKAGES=(cyclonedds==11.0.1)
 readonly FOXGLOVE_PACKAGES=(foxglove-sdk==0.30.3 foxglove-websocket==0.1.4)
+readonly CANOPEN_PACKAGES=(canopen==2.4.1 python-can==4.6.1)
 readonly RECORDING_PACKAGES=(mcap==1.6.0 mcap-ros1-support==0.9.0 mcap-ros2-support==0.6.0 rosbags==0.11.9)
 
-# Prints the Python of a peer, rclpy, cyclone, foxglove or recordings; nothing where it was not made.
+# Prints the Python of a peer, rclpy, cyclone, foxglove, recordings or canopen; nothing where it was not made.
 ros2_peer() { [[ -e $ROS2_PEERS/$1/ready ]] && printf '%s' "$ROS2_PEERS/$1/bin/python"; }
 
 # About 12 s and 270 MB the first time.
@@ -15,8 +16,9 @@ make_ros2_peers() {
   wait $!
   make_ros2_peer foxglove "${FOXGLOVE_PACKAGES[@]}" & make_ros2_peer recordings "${RECORDING_PACKAGES[@]}"
   wait $!
+  make_ros2_peer canopen "${CANOPEN_PACKAGES[@]}"
   ros2_peer rclpy >/dev/null && make_ros2_interfaces
-  ros2_peer rclpy >/dev/null && ros2_peer cyclone >/dev/null && ros2_peer foxglove >/dev/null && ros2_peer recordings >/dev/null
+  ros2_peer rclpy >/dev/null && ros2_peer cyclone >/dev/null && ros2_peer foxglove >/dev/null && ros2_peer recordings >/dev/null && ros2_peer canopen >/dev/null
 }
 
 # A network that does not answer may not hold anybody up: the time is bounded.

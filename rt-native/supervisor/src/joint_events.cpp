@@ -118,7 +118,8 @@ std::string JointEvents::causeOf(const JointEvent& event) const {
       return "What the plugin " + name + " commands the joint " + joint(event.joint) + " " + wordsOf(event.objection) +
              ", " + std::to_string(config_.hal.misses_before_safe) + " times in turn";
     case FallCause::kHardware:
-      return "The hardware did not answer for " + std::to_string(config_.hal.misses_before_safe) + " cycles";
+      return "The hardware did not answer, or said that it cannot go on, for " +
+             std::to_string(config_.hal.misses_before_safe) + " cycles";
     case FallCause::kFollowing:
       text << "The joint " << joint(event.joint) << " was " << std::setprecision(3) << event.error
            << " away from where the plugin " << name << " told it to be for " << config_.hal.following_time

@@ -16,6 +16,7 @@ TEST_F(CanOpenTest, a_fault_is_told_with_its_text_and_is_reset_by_hand_alone) {
   EXPECT_TRUE(cycleUntil([&] { return isTold("it is in 'fault'") && isTold("robotui-rt-ctl recover"); })) << all();
   EXPECT_EQ(joints[0].fault & 0xffffU, 0x3210U);
   for (int i = 0; i < 50; ++i) EXPECT_EQ(cycle(), Status::kFault);  // it does not begin to move by itself
+  EXPECT_EQ(world.with(0, [](simulated::Drive& drive) { return drive.motor().state(); }), DriveState::kFault);
   EXPECT_NE(hal.recover().front().find("'joint_1' (node 1) is asked to be enabled again"), std::string::npos);
   EXPECT_TRUE(cycleUntil(Status::kOk)) << all();
   EXPECT_EQ(joints[0].fault, 0U);
@@ -82,7 +83,7 @@ TEST_F(CanOpenTest, states_that_do_not_come_are_a_time_out) {
   EXPECT_EQ(cycle(), Status::kTimeout);
   world.with(1, [](simulated::Drive& drive) { drive.ailments().sends_no_state = false; });
   EXPECT_TRUE(cycleUntil(Status::kOk)) << all();
-  EXPECT_TRUE(isTold("did not come in their cycle")) << all();
+  EXPECT_TRUE(isTold("that did not come in their cycle")) << all();
 }
 
 TEST_F(CanOpenTest, a_drive_that_restarts_is_configured_anew) {

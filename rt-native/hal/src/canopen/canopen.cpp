@@ -122,7 +122,7 @@ Status CanOpen::sense(Measurements& into) noexcept {
   drain(now);
   tell(watch_->look());
   for (std::size_t i = 0; i < drives_.size() && i < into.joints.size(); ++i) {
-    tell(drives_[i]->look(now, was_asked_));
+    for (const Alarm& alarm : drives_[i]->look(now, was_asked_)) tell(alarm);
     drives_[i]->measure(into.joints[i]);
   }
   const Status status = judge();
@@ -201,9 +201,10 @@ void CanOpen::tellLost(std::int64_t now_ns) {
     if (lost == told_lost_[i]) continue;
     told_lost_[i] = lost;
     const std::string name = nameOf(settings_.drives[i]);
-    notices_.tell("lost " + name,
-                  name + ": " + std::to_string(lost) + " states (PDO) did not come in their cycle since the start.",
-                  now_ns);
+    notices_.tell(
+        "lost " + name,
+        name + ": states (PDO) that did not come in their cycle since the start: " + std::to_string(lost) + ".",
+        now_ns);
   }
 }
 

@@ -112,17 +112,19 @@ Alarm Drive::watch(std::int64_t now_ns, bool was_asked) noexcept {
   return alarm(heard ? Cause::kIsBack : no_heartbeat ? Cause::kNoHeartbeat : Cause::kNoState);
 }
 
-// One a call: most cycles have none.
-Alarm Drive::look(std::int64_t now_ns, bool was_asked) noexcept {
+Alarm Drive::emergency() noexcept {
+  if (told_error_ == error_) return {};
+  told_error_ = error_;
+  return alarm(Cause::kEmergency, error_);
+}
+
+// All of it in each cycle: a drive in fault must not count as enabled while there is something else to tell.
+std::array<Alarm, 3> Drive::look(std::int64_t now_ns, bool was_asked) noexcept {
   ++cycle_;
   if (retry_.exchange(false, std::memory_order_acquire)) begin(now_ns);
   const Alarm missing = watch(now_ns, was_asked);
-  if (told_error_ != error_) {
-    told_error_ = error_;
-    return alarm(Cause::kEmergency, error_);
-  }
-  if (missing.cause != Cause::kNone) return missing;
-  return advance(now_ns);
+  const Alarm state = advance(now_ns);
+  return {emergency(), missing, state};
 }
 
 // Who turns the other way pushes the other way, too.
@@ -179,7 +181,8 @@ void Drive::command(const Reference* reference, bool robot_is_led) noexcept {
   if (phase_ != Phase::kEnabled) hold_ = position();
   lead(is_led ? *reference : Reference{hold_, 0, 0, 0, 0, link::kPosition});
   const bool edge = (cycle_ / kEdgeCycles) % 2 == 1;
-  set(layout_.control_word, phase_ == Phase::kFallen || !was_heard_ || !settings_.enables ? kDisableVoltage : towardsEnabled(state(), edge));
+  set(layout_.control_word,
+      phase_ == Phase::kFallen || !was_heard_ || !settings_.enables ? kDisableVoltage : towardsEnabled(state(), edge));
 }
 
 void Drive::commandOff() noexcept {

@@ -26,8 +26,8 @@ class Drive {
   void heardEmergency(const Frame& frame) noexcept;
 
   // ---- once a cycle, behind that
-  // What is new to tell, most important first; kNone is nothing more.
-  Alarm look(std::int64_t now_ns, bool was_asked) noexcept;
+  // Judges it anew. What is new to tell: its emergency, what is missing, what it does; kNone where there is nothing.
+  std::array<Alarm, 3> look(std::int64_t now_ns, bool was_asked) noexcept;
   // It is enabled and heard.
   bool isReady() const noexcept { return is_heard_ && phase_ == Phase::kEnabled; }
   // It must be brought back by hand.
@@ -55,6 +55,7 @@ class Drive {
 
   Alarm alarm(Cause cause, std::uint32_t detail = 0) const noexcept;
   Alarm fall(Cause cause, std::uint32_t detail = 0) noexcept;
+  Alarm emergency() noexcept;
   Alarm advance(std::int64_t now_ns) noexcept;
   Alarm watch(std::int64_t now_ns, bool was_asked) noexcept;
   void begin(std::int64_t now_ns) noexcept;

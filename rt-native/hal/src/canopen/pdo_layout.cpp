@@ -103,8 +103,8 @@ void need(const Field& field, Object object, const char* direction) {
 
 void check(const PdoLayout& layout, const Ways& ways) {
   need(layout.control_word, kControlWord, "RPDOs");
-  need(layout.status_word, kStatusWord, "TPDOs");
-  need(layout.position, kPositionActual, "TPDOs");
+  need(layout.status_word, kStatusWord, "TPDOs that answer to SYNC");
+  need(layout.position, kPositionActual, "TPDOs that answer to SYNC");
   if (ways.position) need(layout.target_position, kTargetPosition, "RPDOs");
   if (ways.velocity) need(layout.target_velocity, kTargetVelocity, "RPDOs");
   if (ways.effort) need(layout.target_torque, kTargetTorque, "RPDOs");
