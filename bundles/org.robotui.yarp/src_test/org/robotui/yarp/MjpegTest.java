@@ -102,7 +102,8 @@ class MjpegTest {
       Workers workers = new Workers(OPTIONS.threads());
       try (MjpegStream stream = new MjpegStream("/cam", where, new Heard(), OPTIONS, workers);
           Socket socket = server.accept()) {
-        serve(socket, "Content-Type: image/jpeg\r\nContent-Length: 99999999\r\n\r\n".getBytes(StandardCharsets.US_ASCII));
+        serve(socket,
+            "Content-Type: image/jpeg\r\nContent-Length: 99999999\r\n\r\n".getBytes(StandardCharsets.US_ASCII));
         assertTrue(ended.poll(30, TimeUnit.SECONDS).contains("a picture of '99999999' bytes"));
       }
     }

@@ -72,7 +72,8 @@ public final class AskedStream<D extends Data> implements AutoCloseable {
    * @param threads starts its thread, which has a name
    * @param opening connects to the robot
    */
-  public AskedStream(RficContext context, StreamPort<D> port, Duration pace, BiConsumer<String, Runnable> threads, Opening<D> opening) {
+  public AskedStream(RficContext context, StreamPort<D> port, Duration pace, BiConsumer<String, Runnable> threads,
+      Opening<D> opening) {
     this.name = port.name();
     this.pace = pace;
     this.threads = threads;

@@ -62,7 +62,8 @@ public final class PlaceCommands<C extends Pose> implements CommandSink<C>, Auto
    * @param telling tells
    * @param refused hears why the robot did not take a place, on that thread
    */
-  public PlaceCommands(String name, FrameId map, BiConsumer<String, Runnable> threads, Telling<C> telling, Consumer<String> refused) {
+  public PlaceCommands(String name, FrameId map, BiConsumer<String, Runnable> threads, Telling<C> telling,
+      Consumer<String> refused) {
     this.name = name;
     this.map = map;
     this.threads = threads;

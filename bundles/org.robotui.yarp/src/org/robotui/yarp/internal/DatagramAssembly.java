@@ -45,8 +45,9 @@ public final class DatagramAssembly {
     if (place != next && place != 0) {
       return lost("datagram " + place + " of a message came in place of " + next);
     }
-    Optional<String> before = place == next ? Optional.empty() : Optional.of("a message ended early, after " + next
-        + " datagrams");
+    Optional<String> before = place == next ? Optional.empty()
+        : Optional.of("a message ended early, after " + next
+            + " datagrams");
     if (before.isPresent()) {
       reset();
     }

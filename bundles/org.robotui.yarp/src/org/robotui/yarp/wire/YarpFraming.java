@@ -58,7 +58,8 @@ public final class YarpFraming {
   public static Header readHeader(InputStream in) throws IOException {
     int specifier = readMark(in);
     YarpCarrier carrier = YarpCarrier.of(specifier).orElseThrow(() -> new YarpFormatException(
-        "the carrier with the number 0x" + Integer.toHexString(specifier) + " is not spoken; tcp, fast_tcp, udp and mcast are"));
+        "the carrier with the number 0x" + Integer.toHexString(specifier)
+            + " is not spoken; tcp, fast_tcp, udp and mcast are"));
     int length = int32(in);
     if (length < 1 || length > LONGEST_NAME) {
       throw new YarpFormatException("a name of " + length + " bytes; at most " + LONGEST_NAME + " are taken");

@@ -131,7 +131,8 @@ class SmartNavigationTest {
     base.stop(VelocityCommand.ZERO, false);
     NavigationGoal goal = new NavigationGoal(FRAME, RigidTransform.planar(1.2345, -2, 0.5));
     assertEquals(new Sent.Out(), goals.send(goal));
-    await("it is told", () -> told.contains("CommNavigationObjects.PlannerParams.SETDESTINATIONCIRCLE [1235, -2000, 100]"));
+    await("it is told",
+        () -> told.contains("CommNavigationObjects.PlannerParams.SETDESTINATIONCIRCLE [1235, -2000, 100]"));
     base.stop(VelocityCommand.ZERO, false);
     await("it is deleted", () -> told.contains("CommNavigationObjects.PlannerParams.DELETEGOAL []"));
     base.stop(VelocityCommand.ZERO, false);

@@ -60,7 +60,8 @@ final class NavigationMaker implements AutoCloseable {
     AskedStream<NavigationStatus> status = asked(name, port + "/status", NavigationStatus.class,
         "how far the goal is", OFTEN, asking -> changed(answered(asking, "get_navigation_status_RPC"), last));
     PlaceCommands<NavigationGoal> sender = places(name,
-        new PlaceSender<>(wires, where(name), "goto_target_by_absolute_location_RPC", Optional.of("stop_navigation_RPC"),
+        new PlaceSender<>(wires, where(name), "goto_target_by_absolute_location_RPC",
+            Optional.of("stop_navigation_RPC"),
             this::current),
         reason -> status.publish(new NavigationStatus("", NavigationStatus.State.REJECTED, reason)));
     commands.add(wires.context().offers().command(new CommandPort<>(port + "/goal", NavigationGoal.class, Arity.MANY,
@@ -78,7 +79,8 @@ final class NavigationMaker implements AutoCloseable {
     Optional<NavigationStatus.State> state = NavigationForms.state(answer);
     NavigationStatus.State before = last.get();
     NavigationStatus.State now = state.orElse(before == NavigationStatus.State.ACTIVE
-        ? NavigationStatus.State.CANCELED : before);
+        ? NavigationStatus.State.CANCELED
+        : before);
     last.set(now);
     return state.isPresent() || now != before ? Optional.of(new NavigationStatus("", now, "")) : Optional.empty();
   }
@@ -105,7 +107,8 @@ final class NavigationMaker implements AutoCloseable {
       AskedFeed.Making<D> making) {
     AskedStream<D> stream = new AskedStream<>(wires.context(),
         new StreamPort<>(port, type, Arity.MANY, name + ": " + help), pace, wires.workers()::start,
-        () -> new AskedFeed<>(wires, PortCall.connect(where(name).get(), wires.own() + "/rpc", wires.options()), making));
+        () -> new AskedFeed<>(wires, PortCall.connect(where(name).get(), wires.own() + "/rpc", wires.options()),
+            making));
     feeds.add(stream);
     return stream;
   }

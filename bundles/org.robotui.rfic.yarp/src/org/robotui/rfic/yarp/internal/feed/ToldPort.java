@@ -6,7 +6,9 @@ import org.robotui.net.call.Outcome;
 import org.robotui.net.socket.HostPort;
 import org.robotui.yarp.wire.YarpCarrier;
 
-/** Is told to say its messages to our port. Of who does so by datagrams nobody notices that it is gone, so it is asked. */
+/**
+ * Is told to say its messages to our port. Of who does so by datagrams nobody notices that it is gone, so it is asked.
+ */
 final class ToldPort implements PortAsking {
   private static final long SILENCE_NANOS = Duration.ofSeconds(3).toNanos();
 

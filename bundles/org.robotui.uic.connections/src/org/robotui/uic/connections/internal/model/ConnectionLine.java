@@ -244,9 +244,10 @@ public sealed interface ConnectionLine permits ConnectionLine.Robot, ConnectionL
       return PortLook.details(port);
     }
 
+    /** What only waits is none: many robots say things only when they happen. */
     @Override
     public boolean isProblem() {
-      return ConnectionLine.super.isProblem() || health() == Health.WAITING || port.dropped() > 0;
+      return ConnectionLine.super.isProblem() || port.dropped() > 0;
     }
   }
 

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Stream;
+import org.robotui.ui.Health;
 
 /**
  * Which lines are wanted.
@@ -38,7 +39,9 @@ public record Filter(boolean problems, Optional<String> ruic, List<String> words
 
   /** Whether a line is wanted for its own sake. */
   boolean fits(ConnectionLine line) {
-    if (problems && !line.isProblem()) {
+    // what waits is no problem, but who looks for one wants to see it
+    boolean waits = line instanceof ConnectionLine.RobotPort && line.health() == Health.WAITING;
+    if (problems && !line.isProblem() && !waits) {
       return false;
     }
     if (words.isEmpty()) {
