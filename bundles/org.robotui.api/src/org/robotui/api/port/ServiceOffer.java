@@ -4,8 +4,8 @@ import java.util.concurrent.CompletionStage;
 import org.robotui.data.record.DynamicRecord;
 
 /**
- * A service for the programs of a robot that is answered from outside of it, such as by another robot. It is offered for
- * {@link #LIFETIME_SECONDS}, and longer where it is offered again until then.
+ * A service for the programs of a robot that is answered from outside of it, such as by another robot. It is offered
+ * for {@link #LIFETIME_SECONDS}, and longer where it is offered again until then.
  *
  * @param service the robot's name of the service
  * @param type the robot's name of its type, such as {@code std_srvs/SetBool}

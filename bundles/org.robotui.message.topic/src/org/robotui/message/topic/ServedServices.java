@@ -74,7 +74,8 @@ public final class ServedServices implements CallHandler<ServiceOffer, ServiceGr
         case CallOutcome.Replied<ServiceReply> replied -> message(replied.reply());
         case CallOutcome.Failed<ServiceReply> failed -> new Outcome.Failed<>(failed.reason());
         case CallOutcome.TimedOut<ServiceReply> late -> new Outcome.Failed<>(name + " was not answered in time");
-        case CallOutcome.Cancelled<ServiceReply> cancelled -> new Outcome.Failed<>("the call of " + name + " was ended");
+        case CallOutcome.Cancelled<ServiceReply> cancelled -> new Outcome.Failed<>(
+            "the call of " + name + " was ended");
       };
     }
 

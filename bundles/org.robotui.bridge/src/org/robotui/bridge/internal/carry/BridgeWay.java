@@ -143,7 +143,8 @@ final class BridgeWay implements CarriedWay {
   }
 
   private BridgeStatus status(State state, String text) {
-    Counts counts = new Counts(received, tally.passed(), filtered + waiting.thinned(), lost + waiting.dropped(), tally.refused());
+    Counts counts =
+        new Counts(received, tally.passed(), filtered + waiting.thinned(), lost + waiting.dropped(), tally.refused());
     return new BridgeStatus(config.name(), from, to, state, text, counts, tally.rateHz(), tally.lagSeconds(),
         open.flatMap(way -> way.far().holder()));
   }

@@ -2,8 +2,8 @@ package org.robotui.bridge.internal.carry;
 
 import java.time.Duration;
 import java.util.Optional;
-import java.util.concurrent.CompletionStage;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
 import org.robotui.api.bridge.BridgeConfig;
 import org.robotui.api.bridge.BridgeEnd;
 import org.robotui.api.command.Principal;
@@ -70,7 +70,7 @@ final class ServiceRoute implements AutoCloseable {
     return robot;
   }
 
-  /** Why it can not be offered now. */
+  /** Why it cannot be offered now. */
   Optional<String> missing() {
     if (near.port(PortKind.CALL, serve).isEmpty()) {
       BridgeEnd from = config.from();

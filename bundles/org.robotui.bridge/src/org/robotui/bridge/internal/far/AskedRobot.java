@@ -115,8 +115,8 @@ public final class AskedRobot {
   private CallOutcome<ServiceReply> ended(CallOutcome<?> outcome) {
     open.decrementAndGet();
     return switch (outcome) {
-      case CallOutcome.Replied<?> replied when replied.reply() instanceof ServiceReply reply ->
-          new CallOutcome.Replied<>(reply);
+      case CallOutcome.Replied<?> replied when replied
+          .reply() instanceof ServiceReply reply -> new CallOutcome.Replied<>(reply);
       case CallOutcome.Replied<?> other -> new CallOutcome.Failed<>(end + " has given no answer of a service");
       case CallOutcome.Failed<?> failed -> new CallOutcome.Failed<>(failed.reason());
       case CallOutcome.TimedOut<?> late -> new CallOutcome.Failed<>(

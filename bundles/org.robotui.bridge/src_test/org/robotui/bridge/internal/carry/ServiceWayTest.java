@@ -27,7 +27,8 @@ import org.robotui.data.record.MapRecord;
 
 class ServiceWayTest {
   private static final Principal USER = new Principal("u", "Ulla", Principal.Kind.WINDOW);
-  private static final MapRecord ON = new MapRecord("std_srvs/SetBoolRequest", Map.of("data", new FieldValue.Flag(true)));
+  private static final MapRecord ON =
+      new MapRecord("std_srvs/SetBoolRequest", Map.of("data", new FieldValue.Flag(true)));
   private static final MapRecord DONE = new MapRecord("demo/Done", Map.of("ok", new FieldValue.Num(1, "1")));
 
   private final TwoRobots robots = new TwoRobots();
@@ -83,9 +84,11 @@ class ServiceWayTest {
 
   @Test
   void requests_and_replies_are_made_as_written() {
-    offered(Map.of("fields", Map.of("state.number", "data * 3"), "reply", Map.of("success", "ok", "message", "'as told'")));
+    offered(
+        Map.of("fields", Map.of("state.number", "data * 3"), "reply", Map.of("success", "ok", "message", "'as told'")));
     DynamicRecord reply = assertInstanceOf(CallOutcome.Replied.class, call(ON)).reply() instanceof ServiceReply r
-        ? r.value() : DONE;
+        ? r.value()
+        : DONE;
     assertEquals(Map.of("state", Map.of("number", 3L)), asked.get().arguments());
     assertEquals(Optional.of(new FieldValue.Text("as told")), reply.field("message"));
     assertEquals(2, reply.fields().size());

@@ -93,6 +93,15 @@ class BridgesReaderTest {
   }
 
   @Test
+  void aServiceMayTakeNothingOfItsRequest() {
+    ConfigResult result = read("gripper: {kind: service, from: Natalie.open, to: 'Keira.ros.gripper:0/open',"
+        + " type: std_srvs/Trigger, fields: {}, reply: {success: 1, message: \"'told'\"}}");
+    assertEquals(List.of(), result.problems());
+    assertTrue(result.bridges().getFirst().settings().has("fields"));
+    assertEquals(10, result.bridges().getFirst().settings().number("timeout"));
+  }
+
+  @Test
   void aServiceAndATopicOfOneNameAreNoLoop() {
     String topic = "one: {from: Natalie.x, to: Keira.ros.x}\n";
     assertEquals(List.of(), read(topic + "two: {from: Keira.ros.x, to: Natalie.x, kind: service}").problems());

@@ -42,6 +42,8 @@ import org.robotui.rtps.Qos;
 /** The topics of ROS 2, through a node. */
 final class Ros2TopicClient implements TopicClient {
   private static final String ENCODING = "cdr";
+  /** What waits for subscribers that are slow for a moment. */
+  private static final int MOST_RELAYED = 100;
 
   private final Ros2Node node;
   private final TypeLookups lookups;
@@ -139,7 +141,7 @@ final class Ros2TopicClient implements TopicClient {
   public TopicPublisher<DynamicMessage> relayed(String topic, MessageSchema schema, boolean kept) {
     Ros2Codec<DynamicMessage> codec = Ros2Codec.of(name(schema.definition().type()), schema);
     return new RelayedOut(new TopicOut<>(node.publisher(topic, Ros2Codec.raw(codec.type(), codec.hash()),
-        kept ? QosProfiles.LATCHED : QosProfiles.DEFAULT)), codec);
+        kept ? QosProfiles.LATCHED : QosProfiles.DEFAULT.withDepth(MOST_RELAYED))), codec);
   }
 
   @Override
