@@ -251,8 +251,10 @@ def test_a_view_is_installed_in_the_window_opened_and_removed_and_its_settings_s
         form = Software(window)
         form.install_unsigned()
         wait_for(lambda: "trip" in types(), 30, "the type of the view")
-        ui.run('openView("trip"); setSetting("trip", "limit", 25)')
-        assert ui.call("settings", "trip")["limit"] == 25
+        ui.call("openView", "trip")
+        wait_for(lambda: setting_of(ui) == 1000, what="the view")
+        ui.call("setSetting", "trip", "limit", 25)
+        wait_for(lambda: setting_of(ui) == 25, what="the setting")
 
         form.press()
         wait_for(lambda: "trip" not in types(), 30, "that it is gone")

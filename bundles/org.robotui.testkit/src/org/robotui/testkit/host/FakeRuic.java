@@ -29,7 +29,6 @@ import org.robotui.api.show.ShowChoice;
 import org.robotui.api.show.Subject;
 import org.robotui.api.time.RobotClock;
 import org.robotui.data.ClockKind;
-import org.robotui.data.Data;
 import org.robotui.data.Stamp;
 import org.robotui.testkit.FakeAlerts;
 import org.robotui.testkit.FakeAuthority;
@@ -41,7 +40,6 @@ public final class FakeRuic implements Ruic {
   private final String name;
   private final FakeAuthority authority;
   private final FakePortAccess access;
-  private final Map<SourceId, Envelope<?>> sent = new ConcurrentHashMap<>();
   private final Map<String, Uic> uics = new ConcurrentHashMap<>();
   private final Map<String, SettingsStore> settings = new ConcurrentHashMap<>();
   private final Map<String, String> titles = new ConcurrentHashMap<>();
@@ -303,24 +301,6 @@ public final class FakeRuic implements Ruic {
   @Override
   public Optional<Envelope<?>> newest(SourceId port) {
     return showings.newest(port);
-  }
-
-  @Override
-  public Optional<Envelope<?>> sent(SourceId port) {
-    return Optional.ofNullable(sent.get(port));
-  }
-
-  /**
-   * Has a command gone out.
-   *
-   * @param port where
-   * @param command which
-   * @return this
-   */
-  public FakeRuic sending(SourceId port, Data command) {
-    sent.merge(port, new Envelope<>(command, port, 0, Optional.empty(), 0, Optional.empty()),
-        (last, first) -> new Envelope<>(command, port, last.sequence() + 1, Optional.empty(), 0, Optional.empty()));
-    return this;
   }
 
   @Override

@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.BiFunction;
 import org.robotui.api.command.Authority;
 import org.robotui.api.command.Principal;
 import org.robotui.api.host.Host;
@@ -37,13 +38,20 @@ final class CommandWatch {
   private static final double SEND_SECONDS = 1;
 
   private final Host host;
+  private final BiFunction<Ruic, SourceId, Optional<Envelope<?>>> newest;
   private final Map<Target, Long> seen = new HashMap<>();
   private final Map<Target, Long> heard = new HashMap<>();
   private final Map<Target, MotionTrack> motions = new HashMap<>();
 
   /** Sees what is sent from now on. */
   CommandWatch(Host host) {
+    this(host, Ruic::sent);
+  }
+
+  /** The same, with what tells the newest command that went out. */
+  CommandWatch(Host host, BiFunction<Ruic, SourceId, Optional<Envelope<?>>> newest) {
     this.host = host;
+    this.newest = newest;
     next(0);
     motions.clear();
   }
@@ -66,15 +74,15 @@ final class CommandWatch {
   }
 
   private void look(Ruic ruic, Target target, long now, List<Done> done) {
-    Optional<Envelope<?>> newest = ruic.sent(target.port());
-    boolean fresh = newest.isPresent() && !Long.valueOf(newest.get().sequence()).equals(seen.get(target));
+    Optional<Envelope<?>> last = newest.apply(ruic, target.port());
+    boolean fresh = last.isPresent() && !Long.valueOf(last.get().sequence()).equals(seen.get(target));
     if (fresh && ruic.authority(target.port().component()).filter(CommandWatch::isUsers).isPresent()) {
       heard.put(target, now);
-      sent(ruic, target, newest.get().value(), now, done);
+      sent(ruic, target, last.get().value(), now, done);
     } else if (motions.containsKey(target) && (fresh || now - heard.get(target) > SILENT_NANOS)) {
       end(target, heard.get(target), done);
     }
-    newest.ifPresent(e -> seen.put(target, e.sequence()));
+    last.ifPresent(e -> seen.put(target, e.sequence()));
   }
 
   private static boolean isUsers(Authority robot) {

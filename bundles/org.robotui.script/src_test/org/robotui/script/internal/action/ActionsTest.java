@@ -3,8 +3,10 @@ package org.robotui.script.internal.action;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.AfterEach;
@@ -19,12 +21,14 @@ import org.robotui.api.layout.Edge;
 import org.robotui.api.layout.Layout;
 import org.robotui.api.port.Arity;
 import org.robotui.api.port.CommandPort;
+import org.robotui.api.port.Envelope;
 import org.robotui.api.port.PortKind;
 import org.robotui.api.port.SourceId;
 import org.robotui.api.script.ActionWatch;
 import org.robotui.api.script.ScriptFunction;
 import org.robotui.api.script.ScriptFunctions;
 import org.robotui.api.script.ScriptLine;
+import org.robotui.data.Data;
 import org.robotui.data.FrameId;
 import org.robotui.data.command.VelocityCommand;
 import org.robotui.data.navigation.NavigationGoal;
@@ -41,6 +45,8 @@ class ActionsTest {
   private static final SourceId VELOCITY = new SourceId("base", "cmd_vel");
   private static final SourceId GOAL = new SourceId("base", "goal");
 
+  private final Map<SourceId, Envelope<?>> out = new HashMap<>();
+  private long count;
   private final Console console = new Console();
   private final FakeRuic natalie = new FakeRuic("Natalie");
   private HostWatch watch;
@@ -181,10 +187,10 @@ class ActionsTest {
     NavigationGoal goal =
         new NavigationGoal(new FrameId("Natalie", "map"), RigidTransform.planar(2, -1.5, Math.PI / 2));
     CommandWatch sent = commands();
-    natalie.sending(GOAL, goal);
+    sending(GOAL, goal);
     assertEquals(List.of(), sent.next(1), "nobody has control who is a user");
     natalie.authority().take(YOU, false);
-    natalie.sending(GOAL, goal);
+    sending(GOAL, goal);
     List<String> lines = lines(sent.next(2));
     assertTrue(lines.getFirst().startsWith("send(\"base.goal\", {frame: \"map\", pose: {translation: {x: 2"),
         lines::toString);
@@ -200,13 +206,13 @@ class ActionsTest {
     CommandWatch sent = commands();
     natalie.authority().take(YOU, false);
     long second = 1_000_000_000L;
-    natalie.sending(VELOCITY, VelocityCommand.planar(0.3, 0));
+    sending(VELOCITY, VelocityCommand.planar(0.3, 0));
     assertEquals(List.of(), sent.next(second));
-    natalie.sending(VELOCITY, VelocityCommand.planar(0.301, 0));
+    sending(VELOCITY, VelocityCommand.planar(0.301, 0));
     assertEquals(List.of(), sent.next(second + second / 5));
-    natalie.sending(VELOCITY, VelocityCommand.planar(0.3, 0.5));
+    sending(VELOCITY, VelocityCommand.planar(0.3, 0.5));
     assertEquals(List.of(), sent.next(second + second * 2 / 5));
-    natalie.sending(VELOCITY, VelocityCommand.ZERO);
+    sending(VELOCITY, VelocityCommand.ZERO);
     CommandWatch.Done done = sent.next(second + second * 3 / 5).getFirst();
     assertEquals("driveAlong([[0.3, 0, 0.4], [0.3, 0.5, 0.2]], \"base.cmd_vel\", \"Natalie\");", done.line());
     assertEquals(0.6, done.seconds(), 1e-9);
@@ -222,12 +228,12 @@ class ActionsTest {
     CommandWatch sent = commands();
     natalie.authority().take(YOU, false);
     long second = 1_000_000_000L;
-    natalie.sending(VELOCITY, VelocityCommand.planar(0.3, 0));
+    sending(VELOCITY, VelocityCommand.planar(0.3, 0));
     sent.next(second);
-    natalie.sending(VELOCITY, VelocityCommand.planar(0.3, 0));
+    sending(VELOCITY, VelocityCommand.planar(0.3, 0));
     sent.next(second * 2);
     assertEquals(List.of("driveAlong([[0.3, 0, 1]], \"base.cmd_vel\", \"Natalie\");"), lines(sent.next(second * 3)));
-    natalie.sending(VELOCITY, VelocityCommand.planar(0.3, 0));
+    sending(VELOCITY, VelocityCommand.planar(0.3, 0));
     sent.next(second * 4);
     assertEquals(1, sent.end(second * 5).size(), "the end of what is written down ends it");
   }
@@ -236,7 +242,11 @@ class ActionsTest {
     natalie.offering(port(VELOCITY, "VelocityCommand"), port(GOAL, "NavigationGoal"));
     natalie.ports().offer("base", new CommandPort<>("cmd_vel", VelocityCommand.class, Arity.MANY, ""),
         new CommandPort<>("goal", NavigationGoal.class, Arity.MANY, ""));
-    return new CommandWatch(console.host);
+    return new CommandWatch(console.host, (ruic, port) -> Optional.ofNullable(out.get(port)));
+  }
+
+  private void sending(SourceId port, Data command) {
+    out.put(port, new Envelope<>(command, port, count++, Optional.empty(), 0, Optional.empty()));
   }
 
   private static PortStatus port(SourceId id, String type) {

@@ -101,7 +101,7 @@ public final class WelcomePane extends Composite {
     begin(new Beginning(Icon.LAYERS, "Open Configuration\u2026", "A file that says which robots and views there are",
         actions::open));
     begin(
-        new Beginning(Icon.LOOP, "Open Recording\u2026", "MCAP, bags of ROS and logs of other frameworks, played back",
+        new Beginning(Icon.LOOP, "Open Recording\u2026", "MCAP, bags of ROS, logs of other frameworks",
             actions::recording));
   }
 
