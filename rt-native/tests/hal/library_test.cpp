@@ -31,7 +31,7 @@ TEST(Library, a_hal_of_the_user_is_loaded) {
 
 TEST(Library, one_for_another_interface_is_refused_with_both_numbers) {
   const std::string error = errorOf(OTHER_HAL);
-  EXPECT_NE(error.find("interface 99, this program has 4"), std::string::npos) << error;
+  EXPECT_NE(error.find("interface 99, this program has 5"), std::string::npos) << error;
 }
 
 TEST(Library, one_that_was_built_another_way_is_refused_with_both_ways) {

@@ -57,6 +57,9 @@ struct DriveTest : testing::Test {
     drive.command(reference, robot_is_led);
     return alarms;
   }
+  void enable() {
+    for (const int word : {0x0250, 0x0231, 0x0233, 0x0237}) cycle(static_cast<std::uint16_t>(word), 0);
+  }
   std::uint32_t controlWord() const { return get(drive.frames().front(), 0, 2); }
   std::int32_t target() const { return static_cast<std::int32_t>(get(drive.frames().front(), 2, 4)); }
 };
@@ -81,7 +84,7 @@ TEST_F(DriveTest, is_led_to_enabled_and_holds_until_the_robot_can_be_led) {
 
 // In the very cycle in which it is seen, whatever else there is to tell.
 TEST_F(DriveTest, a_fault_that_comes_with_its_emergency_is_never_reset_without_being_asked) {
-  for (const std::uint16_t word : {0x0250, 0x0231, 0x0233, 0x0237}) cycle(word, 0);
+  enable();
   for (int i = 0; i < 40; ++i) {
     drive.heardEmergency(frameOf(0x81, {static_cast<std::uint8_t>(0x10 + i), 0x32}));
     const auto alarms = cycle(0x0218, 0);
@@ -100,7 +103,7 @@ TEST_F(DriveTest, a_fault_that_comes_with_its_emergency_is_never_reset_without_b
 }
 
 TEST_F(DriveTest, what_is_missing_is_told_once_and_so_is_its_return) {
-  for (const std::uint16_t word : {0x0250, 0x0231, 0x0233, 0x0237}) cycle(word, 0);
+  enable();
   EXPECT_EQ(silent()[1].cause, Cause::kNone);
   EXPECT_EQ(silent()[1].cause, Cause::kNone);
   EXPECT_TRUE(drive.isReady());
@@ -113,7 +116,7 @@ TEST_F(DriveTest, what_is_missing_is_told_once_and_so_is_its_return) {
 }
 
 TEST_F(DriveTest, targets_beyond_32_bits_do_not_wrap) {
-  for (const std::uint16_t word : {0x0250, 0x0231, 0x0233, 0x0237}) cycle(word, 0);
+  enable();
   const Reference far{1e12, 0, 0, 0, 0, link::kPosition};
   cycle(0x0237, 0, &far);
   EXPECT_EQ(target(), 2'147'483'647);

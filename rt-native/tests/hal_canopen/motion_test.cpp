@@ -41,7 +41,7 @@ TEST_F(CanOpenTest, joints_are_shown_and_no_drive_is_enabled_where_that_is_wante
   for (int i = 0; i < 30; ++i) EXPECT_EQ(cycle(), Status::kTimeout);
   EXPECT_EQ(world.with(0, [](simulated::Drive& drive) { return drive.motor().state(); }),
             DriveState::kSwitchOnDisabled);
-  EXPECT_TRUE(told.empty()) << all();
+  EXPECT_FALSE(isTold("enabled")) << all();
 }
 
 TEST_F(CanOpenTest, a_mode_that_is_not_configured_holds_and_is_told) {
