@@ -50,7 +50,7 @@ class Ros2ServeTest extends Ros2Case {
     robot.serviceServer("motors", SET_BOOL, (request, caller) -> new SetBoolResponse(true, ""));
     rfic.start();
     await(() -> refusal("motors", "std_srvs/SetBool").contains("/motors is offered already, by /robot"));
-    assertTrue(refusal("x", "demo/Unknown").contains("demo/Unknown"));
+    assertTrue(refusal("x", "demo/Unknown").contains("demo/srv/Unknown"));
   }
 
   /** Nothing where it could be offered. */
