@@ -16,6 +16,7 @@ import org.eclipse.swt.widgets.Text;
 /** Asks for one line. Display thread; returns when it is closed. */
 public final class NameDialog {
   private static final int WIDTH = 260;
+  private static final int WIDEST = 460;
   private static final int MARGIN = 12;
 
   private final Shell shell;
@@ -28,7 +29,11 @@ public final class NameDialog {
     layout.marginWidth = MARGIN;
     layout.marginHeight = MARGIN;
     shell.setLayout(layout);
-    new Label(shell, SWT.NONE).setText(title + ":");
+    Label asked = new Label(shell, SWT.WRAP);
+    asked.setText(title + ":");
+    GridData lines = new GridData(SWT.FILL, SWT.CENTER, true, false);
+    lines.widthHint = Math.clamp(asked.computeSize(SWT.DEFAULT, SWT.DEFAULT).x, WIDTH, WIDEST);
+    asked.setLayoutData(lines);
     Text text = new Text(shell, SWT.SINGLE | SWT.BORDER);
     GridData wide = new GridData(SWT.FILL, SWT.CENTER, true, false);
     wide.widthHint = WIDTH;
