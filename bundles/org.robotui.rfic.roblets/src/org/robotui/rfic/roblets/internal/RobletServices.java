@@ -1,5 +1,7 @@
 package org.robotui.rfic.roblets.internal;
 
+import static org.osgi.service.component.annotations.ReferenceScope.PROTOTYPE;
+
 import java.io.IOException;
 import java.util.HashMap;
 import java.util.Map;
@@ -11,7 +13,6 @@ import org.osgi.service.component.annotations.Deactivate;
 import org.osgi.service.component.annotations.Reference;
 import org.osgi.service.component.annotations.ReferenceCardinality;
 import org.osgi.service.component.annotations.ReferencePolicy;
-import org.osgi.service.component.annotations.ReferenceScope;
 import org.robotui.roblets.roblet.Roblet;
 import org.robotui.roblets.roblet.RobletOptions;
 import org.robotui.roblets.roblet.RobletRunner;
@@ -34,9 +35,8 @@ public final class RobletServices {
 
   private record Running(RobletRunner runner, Instances instances) {}
 
-  @Reference(cardinality = ReferenceCardinality.MULTIPLE, policy = ReferencePolicy.DYNAMIC, unbind = "remove",
-      scope = ReferenceScope.PROTOTYPE)
-  void add(ComponentServiceObjects<Roblet> service) {
+  @Reference(cardinality = ReferenceCardinality.MULTIPLE, policy = ReferencePolicy.DYNAMIC, scope = PROTOTYPE)
+  void addRoblet(ComponentServiceObjects<Roblet> service) {
     Instances instances = new Instances(service);
     try {
       running.put(service, new Running(new RobletRunner(instances, options(service)), instances));
@@ -54,7 +54,7 @@ public final class RobletServices {
     return RobletOptions.of(Thread.ofPlatform().daemon().factory(), variables);
   }
 
-  void remove(ComponentServiceObjects<Roblet> service) {
+  void removeRoblet(ComponentServiceObjects<Roblet> service) {
     Running each = running.remove(service);
     if (each != null) {
       each.runner().close();
@@ -64,7 +64,7 @@ public final class RobletServices {
 
   @Deactivate
   void deactivate() {
-    running.keySet().forEach(this::remove);
+    running.keySet().forEach(this::removeRoblet);
   }
 
   /** Gives the instance before back when the next is asked for; the last goes back with its service. */
