@@ -24,6 +24,7 @@ class Program:
     """A program that answers each line on its stdin with one line on its stdout."""
 
     def __init__(self, name, command, environment, folder):
+        signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))       # who is ended ends what was started
         self.name = name
         self.log = folder / f"{name}.log"
         with self.log.open("w") as log:
