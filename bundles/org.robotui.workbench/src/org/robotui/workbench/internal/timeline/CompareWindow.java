@@ -39,6 +39,7 @@ final class CompareWindow {
   private static final int TABLE = 136;
   private static final int MOST_TOPICS = 30;
   private static final String EXAMPLE = "odom, or a number: odom linear.x";
+  private static final String ONE_ALONE = "open a second recording to compare this one with: File > Open Recording";
   private static final Map<Pairing, String> PAIRINGS = Map.of(Pairing.TIME, "At the Same Time", Pairing.START,
       "Since the First Value", Pairing.WAY, "After the Same Way");
   private static final Map<Alignment, String> ALIGNMENTS = Map.of(Alignment.NONE, "Not Moved", Alignment.ORIGIN,
@@ -227,8 +228,8 @@ final class CompareWindow {
   private void start() {
     String words = topic.getText().strip();
     if (words.isEmpty() || one.isEmpty() || other.isEmpty()) {
-      said.show(Health.BAD, words.isEmpty() ? "write a topic that says where the robot was, or a number of one"
-          : "open a second recording to compare it with");
+      said.show(Health.BAD,
+          words.isEmpty() ? "write a topic that says where the robot was, or a number of one" : ONE_ALONE);
       return;
     }
     compare.start(new ComparisonWish(one.get().id(), other.get().id(), words, paired, aligned));
@@ -247,7 +248,8 @@ final class CompareWindow {
     pairing.text("Values: " + PAIRINGS.get(paired));
     alignment.text("Way: " + ALIGNMENTS.get(aligned));
     go.setEnabled(!compare.standing().running());
-    said.show(compare.standing().health(), compare.standing().words());
+    String words = compare.standing().words();
+    said.show(compare.standing().health(), words.isEmpty() && other.isEmpty() ? ONE_ALONE : words);
     table.show(compare.standing().report().map(ComparisonReport::errors).orElse(List.of()));
     List<ComparedError> errors = table.list().rows();
     over.text(overWay ? "Drawn over the Way" : "Drawn over Time");
