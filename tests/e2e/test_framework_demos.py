@@ -30,3 +30,34 @@ def test_the_demo_is_live_and_says_where(processes, environment, demo):
         line = wait_for(lambda: live(robotui, port, least), seconds=90, what=f"{port} at {least} Hz")
         assert line["dropped"] == 0
     assert re.search(address, robotui.err.read_text())
+
+
+# Turning moves nobody away; a robot that is slow to begin is told again, as a stick would do it.
+TEAM = """
+use("Team");
+const names = ["natalie", "keira", "ruth", "lena", "carl", "yuki", "sam"];
+const port = (kind, type, name) => ports().filter(p => p.kind === kind && p.type === type).map(p => p.name).find(p => p.startsWith(name + "."));
+const found = () => names.map(n => ({odometry: port("stream", "Odometry", n), velocity: port("command", "VelocityCommand", n)}));
+const all = waitFor(() => { const f = found(); return f.every(r => r.odometry && r.velocity) ? f : null; }, 90);
+robots().filter(r => r.ui === "Team").forEach(r => takeControl(r.name));
+const turning = robot => Math.abs(value(robot.odometry).angular.z) > 0.2;
+waitFor(() => { all.forEach(r => send(r.velocity, {angular: {z: 0.5}}, 2)); return all.every(turning); }, 60);
+print("all turn");
+stop();
+waitFor(() => all.every(r => Math.abs(value(r.odometry).angular.z) < 0.01), 30);
+print("all stand");
+const obeys = robot => { try { send(robot.velocity, {angular: {z: 0.5}}); return true; } catch (e) { return false; } };
+print("commands taken: " + all.filter(obeys).length);
+"""
+
+
+def test_one_stop_halts_a_team_of_seven_frameworks(processes, environment, tmp_path):
+    script = tmp_path / "team.js"
+    script.write_text(TEAM, encoding="ascii")
+    surroundings = {key: value for key, value in environment.items() if key not in NO_DISPLAY}
+    robotui = processes.start([ROOT / "robotui", "run", "--text", "frameworks", "--script", script], "robotui", surroundings)
+
+    robotui.wait(150)
+
+    assert robotui.out.read_text().splitlines() == ["all turn", "all stand", "commands taken: 0"], robotui.err.read_text()
+    assert robotui.returncode == 0

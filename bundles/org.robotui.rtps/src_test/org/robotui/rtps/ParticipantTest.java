@@ -185,7 +185,7 @@ class ParticipantTest {
       }
     });
     other.close();
-    Heard.await(Duration.ofSeconds(2), () -> one.discovery().participants().isEmpty(), () -> "still there");
+    Heard.await(SOON, () -> one.discovery().participants().isEmpty(), () -> "still there");
     Heard.await(SOON, () -> !reasons.isEmpty(), () -> "its listeners were not told");
     assertEquals(List.of("its participant: it said farewell"), reasons);
     other = open();

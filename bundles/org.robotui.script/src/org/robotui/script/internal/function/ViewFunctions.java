@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import org.robotui.api.config.Setting;
+import org.robotui.api.config.Settings;
 import org.robotui.api.config.SettingsStore;
 import org.robotui.api.host.Arranging;
 import org.robotui.api.host.Arranging.ViewChoice;
@@ -38,7 +39,7 @@ final class ViewFunctions {
           return null;
         }),
         ScriptFunction.of("settings(view, ui?)", "Tells the settings of a view that runs.", "their values by name",
-            call -> settings(call, Named.ruic(call, 1)).current().values()),
+            call -> inOrder(settings(call, Named.ruic(call, 1)).current())),
         ScriptFunction.of("setSetting(view, setting, value, ui?)",
             "Changes a setting of a view, at once and for the next start, too.", "", ViewFunctions::set),
         ScriptFunction.of("perspectives(ui?)", "Lists the perspectives.", "a list of names",
@@ -94,6 +95,14 @@ final class ViewFunctions {
     String id = views.freshId(wanted);
     views.arrange(now.adding(new Added(id, wanted)).opened(id, views.written().layout()));
     return id;
+  }
+
+  /** As they are listed everywhere: a map of settings has no order. */
+  private static Map<String, Object> inOrder(Settings settings) {
+    Map<String, Object> all = new LinkedHashMap<>();
+    settings.schema().settings().stream().map(Setting::name).filter(settings.values()::containsKey)
+        .forEach(name -> all.put(name, settings.values().get(name)));
+    return all;
   }
 
   private static SettingsStore settings(ScriptCall call, Ruic ruic) throws ScriptFailure {
