@@ -35,7 +35,7 @@ def test_nodes_of_ros_1_and_ros_2_hear_and_command_each_other(roscore, tmp_path)
     config = tmp_path / "bridge.yaml"
     config.write_text(CONFIG, encoding="utf-8")
     bridge = start_robotui(roscore, "bridge", config, "--json", "--metrics", "0", name="bridge")
-    roscore.start_tool("/usr/bin/python3", PEERS / "accountable_robot.py", name="robot")
+    roscore.start_tool("/usr/bin/python3", PEERS / "accountable_robot.py", "--lights", name="robot")
     visitor = start_visitor(roscore, "visitor", "--drive")
 
     heard = wait_for(lambda: scans(visitor, 20), what="a scan of ROS 1 at a node of ROS 2")

@@ -3,7 +3,7 @@
 
 Odometry and a scan come ten times a second, with the number of the step in their headers. A second node (--driver) makes
 it drive in a figure of eight, and is the only one that commands it. With --no-queues it also sends pictures, and waits for all its
-subscribers.
+subscribers; with --lights it offers a service.
 """
 import math
 import sys
@@ -63,7 +63,8 @@ def image():
 
 def live():
     rospy.init_node("accountable_robot")
-    rospy.Service("set_lights", SetBool, lambda request: SetBoolResponse(True, f"lights are {request.data}"))
+    if "--lights" in sys.argv:
+        rospy.Service("set_lights", SetBool, lambda request: SetBoolResponse(True, f"lights are {request.data}"))
     queue = None if "--no-queues" in sys.argv else 1        # without one, whoever publishes waits for all subscribers
     odometries = rospy.Publisher("odom", Odometry, queue_size=queue)
     scans = rospy.Publisher("scan", LaserScan, queue_size=queue)
