@@ -63,16 +63,18 @@ class Arranged:
         picture = self.window.picture()
         return picture.width, picture.height
 
+    def accent(self):
+        return self.window.picture().count(DARK["accent"], NAVIGATOR, TOP_BAR, *self.size())
+
     def drag(self, start, end):
-        """As a hand does; answers how much of the accent's colour was seen on the way."""
+        """As a hand does, which lets go when it sees the frame around the place where the view would lie."""
+        before = self.accent()
         self.window.move(start)
         output("xdotool", "mousedown", "1")
         for part in range(1, 11):
             self.window.move([int(a + (b - a) * part / 10) for a, b in zip(start, end)])
-        output("xdotool", "sleep", "0.3")
-        seen = self.window.picture().count(DARK["accent"], NAVIGATOR, TOP_BAR, *self.size())
+        wait_for(lambda: self.accent() > before + 2000, what="a frame around the place where it would lie")
         output("xdotool", "mouseup", "1")
-        return seen
 
 
 def middle(arranged):
@@ -83,13 +85,11 @@ def middle(arranged):
 def test_a_view_is_dragged_and_lies_there_after_a_crash(nowhere, tmp_path):
     arranged = Arranged(nowhere, tmp_path)
     (x, _), (width, height) = middle(arranged), arranged.size()
-    before = arranged.window.picture().count(DARK["accent"], NAVIGATOR, TOP_BAR, width, height)
 
-    seen = arranged.drag((x + 40, TITLE), (NAVIGATOR + 200, height - 100))
+    arranged.drag((x + 40, TITLE), (NAVIGATOR + 200, height - 100))
 
     below = {"column": [{"weight": 0.5, "tabs": ["map", "plot"]}, {"weight": 0.5, "view": "status"}]}
     wait_for(lambda: arranged.layout() == below, what="the view below the map")
-    assert seen > before + 2000, "the place where it would lie was framed"
     arranged.kill()
     arranged.start()
     assert arranged.layout() == below
