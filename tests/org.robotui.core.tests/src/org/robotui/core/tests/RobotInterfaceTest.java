@@ -77,7 +77,7 @@ class RobotInterfaceTest {
   void aTypeThatNobodyKnewCompletesTheRuicWhenItAppears() {
     world.await("arm", RuicState.FAILED);
     assertTrue(world.reason("arm").matches("type 'later' is not installed; "
-        + "installed are carmen, fake, lcm, player, ros, ros2, smartsoft, yarp"),
+        + "installed are carmen, fake, lcm, player, roblets, ros, ros2, smartsoft, yarp"),
         world.reason("arm"));
 
     world.bring(later);
