@@ -119,7 +119,10 @@ void Logging::write() {
     if (has_started) {
       file = openFile();
     }
-    writeSamples(file.get());
+    // Samples of a session that has begun only now wait until its file is open.
+    if (session % 2 == 1 || known % 2 == 1 || has_started) {
+      writeSamples(file.get());
+    }
     if (session % 2 == 0) {
       file.reset();
     }
