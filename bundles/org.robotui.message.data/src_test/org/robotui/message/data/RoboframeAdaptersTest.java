@@ -39,13 +39,13 @@ class RoboframeAdaptersTest {
   private static final FrameNames NAMES = new FrameNames("robby", ClockKind.ROBOT);
 
   static Stream<Record> messages() {
-    // An array that is written down: the compiler of the build makes one of too narrow a type of such arguments.
-    return Stream.of(new Record[]{
-        new ScanStreamable(STAMP, "laser", -1, 0.5f, 0.25f, 8, new float[]{1, Float.POSITIVE_INFINITY}),
-        new OdometryStreamable(STAMP, "odom", "base", 1, 2, 0.5, 0.25, 0.125, -0.5),
-        new PoseStreamable(STAMP, "map", 1, 2, -0.5), new BatteryStreamable(STAMP, 12, -1, 0.75, true),
-        new PictureStreamable(STAMP, "camera", "jpeg", ByteBuffer.wrap(new byte[]{1, 2, 3})),
-        new GridStreamable(STAMP, "map", 0.05, 2, 1, -1, -2, ByteBuffer.wrap(new byte[]{0, 100}))});
+    // No array: for one of records the compiler of the build names a wrong class here.
+    return Stream.<Record>builder()
+        .add(new ScanStreamable(STAMP, "laser", -1, 0.5f, 0.25f, 8, new float[]{1, Float.POSITIVE_INFINITY}))
+        .add(new OdometryStreamable(STAMP, "odom", "base", 1, 2, 0.5, 0.25, 0.125, -0.5))
+        .add(new PoseStreamable(STAMP, "map", 1, 2, -0.5)).add(new BatteryStreamable(STAMP, 12, -1, 0.75, true))
+        .add(new PictureStreamable(STAMP, "camera", "jpeg", ByteBuffer.wrap(new byte[]{1, 2, 3})))
+        .add(new GridStreamable(STAMP, "map", 0.05, 2, 1, -1, -2, ByteBuffer.wrap(new byte[]{0, 100}))).build();
   }
 
   @SuppressWarnings({"unchecked", "rawtypes"}) // the form of the adapter of a type is its record
