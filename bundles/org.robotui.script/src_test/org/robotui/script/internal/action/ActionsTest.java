@@ -153,7 +153,7 @@ class ActionsTest {
       while (lines.isEmpty()) {
         Thread.sleep(10);
       }
-      Thread.sleep(700);
+      Thread.sleep(700); // the pause of the user, which the recorder writes down
       arrange(now().fronted("map"));
     }
     assertEquals(3, lines.size(), "what was done last is said at the end: " + lines);

@@ -15,8 +15,6 @@ import org.robotui.ros.Publisher;
  * @param type of the messages
  */
 record RelayedTopic(Publisher<RawMessage> publisher, MessageInfo type) implements TopicPublisher<DynamicMessage> {
-  private static final String ENCODING = "ros1";
-
   @Override
   public int subscribers() {
     return publisher.numSubscribers();
@@ -29,7 +27,7 @@ record RelayedTopic(Publisher<RawMessage> publisher, MessageInfo type) implement
 
   @Override
   public boolean publishRaw(String encoding, ByteBuffer bytes) {
-    boolean same = encoding.equals(ENCODING);
+    boolean same = encoding.equals(RosTopicClient.ENCODING);
     if (same) {
       publisher.publish(raw(bytes));
     }

@@ -28,7 +28,8 @@ import org.robotui.ros.SubscriberOptions;
 
 /** The topics of ROS 1, through a node. */
 final class RosTopicClient implements TopicClient {
-  private static final String ENCODING = "ros1";
+  /** As values name it that were received; what was received is relayed by the same name. */
+  static final String ENCODING = "ros1";
   private static final int MOST_RELAYED = 100;
 
   private final RosNode node;

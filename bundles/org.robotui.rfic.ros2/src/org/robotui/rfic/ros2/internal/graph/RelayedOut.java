@@ -15,8 +15,6 @@ import org.robotui.ros2.Ros2Codec;
  */
 record RelayedOut(TopicOut<ByteBuffer> topic, Ros2Codec<DynamicMessage> codec)
     implements TopicPublisher<DynamicMessage> {
-  private static final String ENCODING = "cdr";
-
   @Override
   public int subscribers() {
     return topic.subscribers();
@@ -34,7 +32,7 @@ record RelayedOut(TopicOut<ByteBuffer> topic, Ros2Codec<DynamicMessage> codec)
 
   @Override
   public boolean publishRaw(String encoding, ByteBuffer bytes) {
-    boolean same = encoding.equals(ENCODING);
+    boolean same = encoding.equals(Ros2TopicClient.ENCODING);
     if (same) {
       topic.publish(bytes);
     }

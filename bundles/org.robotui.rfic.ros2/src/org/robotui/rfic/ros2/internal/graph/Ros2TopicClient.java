@@ -41,7 +41,8 @@ import org.robotui.rtps.Qos;
 
 /** The topics of ROS 2, through a node. */
 final class Ros2TopicClient implements TopicClient {
-  private static final String ENCODING = "cdr";
+  /** As values name it that were received; what was received is relayed by the same name. */
+  static final String ENCODING = "cdr";
   /** What waits for subscribers that are slow for a moment. */
   private static final int MOST_RELAYED = 100;
 
