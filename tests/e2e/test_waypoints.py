@@ -58,7 +58,10 @@ def open_window(simulator, folder, places):
 
 
 def begin(window, motion):
-    """Clicks into the scene, takes the tool and presses Enter, until the robot drives: frames may still come in."""
+    """
+    Clicks into the scene, takes the tool and presses Enter, until the robot drives: frames may still come in. Waits long
+    before it presses again: Enter would end a drive that a busy machine only begins.
+    """
     def drives():
         if motion.drives():
             return True
@@ -67,11 +70,11 @@ def begin(window, motion):
         Keys.press("r")
         Keys.press("Return")
         try:
-            return wait_for(motion.drives, seconds=5, what="motion")
+            return wait_for(motion.drives, seconds=20, what="motion")
         except AssertionError:
             return False
 
-    wait_for(drives, seconds=60, what="the robot to drive off")
+    wait_for(drives, seconds=120, what="the robot to drive off")
 
 
 def test_the_robot_drives_to_the_waypoints_in_their_order(simulator, motion, believed, tmp_path):

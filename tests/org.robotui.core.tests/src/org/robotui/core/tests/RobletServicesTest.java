@@ -1,7 +1,6 @@
 package org.robotui.core.tests;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Dictionary;
 import java.util.Hashtable;
@@ -111,7 +110,8 @@ class RobletServicesTest {
 
     registration.unregister();
     Eventually.await("it has ended", () -> made.getLast().stopped, () -> made);
-    assertTrue(clock().filter(each -> each.state().equals(RobletStatus.RUNNING)).isEmpty(), () -> "" + clock());
+    Eventually.await("the brain has been told",
+        () -> clock().filter(each -> each.state().equals(RobletStatus.RUNNING)).isEmpty(), this::clock);
     Eventually.await("all were given back", () -> given.equals(made), () -> given);
   }
 
