@@ -258,7 +258,9 @@ public final class NewBundle {
       copyProject(folder, site);
     }
     copyExample(bundle);
+    fitForIde(bundle);
     Path feature = ownFeature(folder.resolve("features").resolve(names.bundle() + ".feature"), "");
+    sayEncoding(feature);
     Path category = folder.resolve("site/category.xml");
     Files.writeString(category, Files.readString(category).replaceFirst("(?=\n</site>)",
         "\n  <feature id=\"" + feature.getFileName() + "\"><category name=\"bundles\"/></feature>"));
@@ -290,6 +292,46 @@ public final class NewBundle {
       write(folder.resolve(templates.relativize(template).toString().replaceFirst("\\.in$", "")
           .replaceFirst("^(mvn/|gitignore$|project$)", ".$1")), text);
     }
+    sayEncoding(folder);
+  }
+
+  /**
+   * What this repository says once for a whole workspace, a project of its own says itself: its encoding, and that
+   * descriptors of components are generated. Its unit tests may use what the bundle does not import, and need no
+   * project of this repository.
+   */
+  private void fitForIde(Path bundle) throws IOException {
+    sayEncoding(bundle);
+    write(bundle.resolve(".settings/org.eclipse.pde.ds.annotations.prefs"), """
+        classpath=true
+        dsVersion=V1_4
+        eclipse.preferences.version=1
+        enabled=true
+        path=OSGI-INF
+        """);
+    write(bundle.resolve(".settings/org.eclipse.jdt.core.prefs"), """
+        eclipse.preferences.version=1
+        org.eclipse.jdt.core.compiler.codegen.targetPlatform=21
+        org.eclipse.jdt.core.compiler.compliance=21
+        org.eclipse.jdt.core.compiler.problem.unusedLambdaParameter=ignore
+        org.eclipse.jdt.core.compiler.release=enabled
+        org.eclipse.jdt.core.compiler.source=21
+        """);
+    replace(bundle.resolve(".classpath"), "(<classpathentry kind=\"src\" output=\"bin_test\".*?)(?=</attributes>)",
+        "$1<attribute name=\"ignore_optional_problems\" value=\"true\"/>");
+    replace(bundle.resolve("Unit tests of " + names.bundle() + ".launch"),
+        "--enable-native-access=ALL-UNNAMED [^\"]*project_loc:/org\\.robotui[^\"]*", "--enable-native-access=ALL-UNNAMED");
+  }
+
+  private static void sayEncoding(Path project) throws IOException {
+    write(project.resolve(".settings/org.eclipse.core.resources.prefs"), """
+        eclipse.preferences.version=1
+        encoding/<project>=UTF-8
+        """);
+  }
+
+  private static void replace(Path file, String pattern, String by) throws IOException {
+    Files.writeString(file, Pattern.compile(pattern, Pattern.DOTALL).matcher(Files.readString(file)).replaceFirst(by));
   }
 
   /** All features, as units of the target platform. */
