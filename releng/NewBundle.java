@@ -297,8 +297,7 @@ public final class NewBundle {
 
   /**
    * What this repository says once for a whole workspace, a project of its own says itself: its encoding, and that
-   * descriptors of components are generated. Its unit tests may use what the bundle does not import, and need no
-   * project of this repository.
+   * descriptors of components are generated. Its unit tests need no project of this repository.
    */
   private void fitForIde(Path bundle) throws IOException {
     sayEncoding(bundle);
@@ -317,8 +316,6 @@ public final class NewBundle {
         org.eclipse.jdt.core.compiler.release=enabled
         org.eclipse.jdt.core.compiler.source=21
         """);
-    replace(bundle.resolve(".classpath"), "(<classpathentry kind=\"src\" output=\"bin_test\".*?)(?=</attributes>)",
-        "$1<attribute name=\"ignore_optional_problems\" value=\"true\"/>");
     replace(bundle.resolve("Unit tests of " + names.bundle() + ".launch"),
         "--enable-native-access=ALL-UNNAMED [^\"]*project_loc:/org\\.robotui[^\"]*", "--enable-native-access=ALL-UNNAMED");
   }
