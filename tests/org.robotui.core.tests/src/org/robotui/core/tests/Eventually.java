@@ -1,7 +1,5 @@
 package org.robotui.core.tests;
 
-import java.lang.management.ManagementFactory;
-import java.lang.management.OperatingSystemMXBean;
 import java.time.Duration;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
@@ -14,12 +12,6 @@ final class Eventually {
   private static final long STEP_NANOS = 5_000_000;
 
   private Eventually() {}
-
-  /** How many times longer than alone something takes on this machine now. */
-  static double busy() {
-    OperatingSystemMXBean machine = ManagementFactory.getOperatingSystemMXBean();
-    return Math.max(1, machine.getSystemLoadAverage() / machine.getAvailableProcessors());
-  }
 
   /** Waits until it holds; fails after a minute with what there is instead. */
   static void await(String what, BooleanSupplier condition, Supplier<?> instead) {

@@ -12,6 +12,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.robotui.api.host.RuicState;
+import org.robotui.testkit.MachineLoad;
 
 /** A view that misbehaves fails alone, the user reads which bundle it was, and what it moved is stopped. */
 class FencedViewTest {
@@ -134,7 +135,7 @@ class FencedViewTest {
     assertLate(LATE);
     long gone = fence.wheels.awaitStopped() - fence.wheels.commands().reversed().stream().filter(c -> !c.isZero())
         .findFirst().orElseThrow().nanos();
-    assertTrue(gone < 2_000_000_000L + SOON_NANOS * Eventually.busy(),
+    assertTrue(gone < 2_000_000_000L + SOON_NANOS * MachineLoad.factor(),
         "its last command would have been valid for a minute, and was for " + gone);
   }
 

@@ -158,8 +158,9 @@ class RealPlaybackTest {
           context.links.toString());
       assertTrue(!bench.timeline.tracks().getFirst().problems().isEmpty());
       bench.timeline.seek(Long.MAX_VALUE);
-      PlayBench.await(() -> bench.state() + " " + context.published.keySet(), () -> !context.published.get("scan").isEmpty()
-          && bench.state().position() == bench.state().span().orElseThrow().end());
+      PlayBench.await(() -> bench.state() + " " + context.published.keySet(),
+          () -> !context.published.get("scan").isEmpty()
+              && bench.state().position() == bench.state().span().orElseThrow().end());
     }
   }
 
