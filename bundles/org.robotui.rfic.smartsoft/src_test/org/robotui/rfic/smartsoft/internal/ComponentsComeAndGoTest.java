@@ -160,6 +160,7 @@ class ComponentsComeAndGoTest {
       base.component.offer(SmartPattern.QUERY, "mode",
           List.of("SmartACE::smartStateRequest", "SmartACE::smartStateResponse"),
           new QueryServer(options, new StateSlave(types, List.of("Neutral", "Active"), state -> {})));
+      await("it can be browsed", () -> context.browsers.containsKey("graph"));
       Browser browser = context.browsers.get("graph");
       await("it is found", () -> browser.list(Browser.Kind.PARAMETER).size() == 1);
       assertEquals("Neutral", browser.parameter("base/mode").orElseThrow());
