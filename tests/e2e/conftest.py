@@ -46,7 +46,7 @@ def pytest_runtest_logreport(report):
             file.write(f"{report.nodeid}\n")
 
 
-def wait_for(condition, seconds=30, what="it"):
+def wait_for(condition, seconds=60, what="it"):
     """Waits until the condition answers something true, and answers that."""
     end = time.monotonic() + seconds
     while time.monotonic() < end:
@@ -55,6 +55,11 @@ def wait_for(condition, seconds=30, what="it"):
             return answer
         time.sleep(0.05)
     raise AssertionError(f"waited {seconds} s for {what}")
+
+
+def busy():
+    """How many times longer than alone a program takes on this machine now."""
+    return max(1.0, os.getloadavg()[0] / os.cpu_count())
 
 
 def processes_of(program, *words):
@@ -141,7 +146,7 @@ class Robot:
         self.environment = environment | {"ROS_MASTER_URI": uri, "ROS_IP": "127.0.0.1"}
         self.environment.pop("ROS_HOSTNAME", None)
 
-    def tool(self, *arguments, seconds=20):
+    def tool(self, *arguments, seconds=60):
         result = subprocess.run(arguments, env=self.environment, stdin=subprocess.DEVNULL, text=True,
                                 capture_output=True, timeout=seconds, check=False)
         assert result.returncode == 0, f"{arguments}: {result.stdout}{result.stderr}"

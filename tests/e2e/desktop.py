@@ -7,7 +7,7 @@ import subprocess
 
 import numpy
 
-from conftest import Robot, start_robotui, wait_for
+from conftest import Robot, busy, start_robotui, wait_for
 
 TOOLS = ("xdotool", "import", "convert")
 DARK = {"ground": 0x1b1f24, "panel": 0x22272e, "text": 0xd7dde4, "accent": 0x4da3ff, "good": 0x3fb68b, "bad": 0xe5534b,
@@ -28,9 +28,14 @@ def missing():
 
 
 def output(*arguments):
-    result = subprocess.run(arguments, stdin=subprocess.DEVNULL, capture_output=True, timeout=20, check=False)
+    result = subprocess.run(arguments, stdin=subprocess.DEVNULL, capture_output=True, timeout=60, check=False)
     assert result.returncode == 0, f"{arguments}: {result.stderr.decode()}"
     return result.stdout
+
+
+def pause(seconds):
+    """Words for xdotool, which then waits so long; longer on a busy machine."""
+    return "sleep", f"{seconds * min(busy(), 5):.2f}"
 
 
 class Picture:
@@ -82,11 +87,11 @@ class Window:
         """Also says early why there will be none."""
         assert self.process.poll() is None, self.process.err.read_text()
         found = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", "(^| - )RobotUI *$"], capture_output=True, text=True,
-                               timeout=20, check=False).stdout.split()
+                               timeout=60, check=False).stdout.split()
         return next((window for window in found if self._is_ours(window)), None)
 
     def _is_ours(self, window):
-        owner = subprocess.run(["xdotool", "getwindowpid", window], capture_output=True, text=True, timeout=20, check=False).stdout
+        owner = subprocess.run(["xdotool", "getwindowpid", window], capture_output=True, text=True, timeout=60, check=False).stdout
         try:
             return os.getsid(int(owner)) == self.process.pid
         except (ValueError, ProcessLookupError):
@@ -224,7 +229,7 @@ class Motion:
 
     def seconds_until_it_stood(self, since):
         """How long after a moment of the wall clock the last motion was."""
-        wait_for(self.stands, seconds=15, what="standstill")
+        wait_for(self.stands, seconds=60, what="standstill")
         moving = [stamp for stamp, _, _, linear, angular in self.rows() if abs(linear) >= 0.02 or abs(angular) >= 0.02]
         return moving[-1] * 1e-9 - since
 

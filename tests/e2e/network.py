@@ -33,7 +33,7 @@ class Machine(Robot):
         self.address = address
         self.environment["ROS_IP"] = address
 
-    def tool(self, *arguments, seconds=20):
+    def tool(self, *arguments, seconds=60):
         return super().tool(*self.processes.prefix, *arguments, seconds=seconds)
 
     def knows(self, uri):

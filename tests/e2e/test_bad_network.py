@@ -1,4 +1,5 @@
 """A robot behind a bad network: 50 ms each way, two packets of a hundred lost, and outages."""
+import contextlib
 import json
 import math
 import pathlib
@@ -37,7 +38,7 @@ def line_of(robotui, port, least):
     return line if line and line["rate_hz"] >= least and line["age_s"] < 0.5 and line["link"] == "connected" else None
 
 
-def comes(robotui, ports=(("odom", 20), ("scan", 8), ("imu/data", 10)), seconds=40):
+def comes(robotui, ports=(("odom", 20), ("scan", 8), ("imu/data", 10)), seconds=PATIENCE):
     for port, least in ports:
         wait_for(lambda: line_of(robotui, port, least), seconds=seconds, what=f"{port} at {least} Hz")
 
@@ -49,8 +50,14 @@ def lines_since(robotui, number, port):
 def shown_outage(robotui, network, seconds):              # noqa: F811
     """What is said of the odometry from the beginning of an outage until it is there again."""
     before = len(json_lines(robotui))
-    network.outage(seconds)
-    wait_for(lambda: any(line["age_s"] > 0.5 for line in lines_since(robotui, before, "odom")), what="the outage to be shown")
+
+    def shown():
+        """A line comes each second: a short outage may lie between two of them, and then there is another one."""
+        network.outage(seconds)
+        with contextlib.suppress(AssertionError):
+            return wait_for(lambda: any(line["age_s"] > 0.5 for line in lines_since(robotui, before, "odom")), seconds=seconds + 5)
+        return False
+    wait_for(shown, what="the outage to be shown")
     comes(robotui)
     return lines_since(robotui, before, "odom")
 

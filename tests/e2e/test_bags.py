@@ -54,7 +54,7 @@ def test_a_recording_without_messages_is_no_error(roscore):
     if not file.exists():
         pytest.skip("the shared recordings are not here")
     robotui = start_robotui(roscore, "run", "--json", "--for", "8", "ros")
-    roscore.start_tool("rosbag", "play", "-q", str(file), name="rosbag").wait(20)
+    roscore.start_tool("rosbag", "play", "-q", str(file), name="rosbag").wait(60)
 
     assert robotui.wait(60) == 0
     assert "Exception" not in robotui.err.read_text()

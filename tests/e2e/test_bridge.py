@@ -38,14 +38,15 @@ def test_nodes_of_ros_1_and_ros_2_hear_and_command_each_other(roscore, tmp_path)
     roscore.start_tool("/usr/bin/python3", PEERS / "accountable_robot.py", "--lights", name="robot")
     visitor = start_visitor(roscore, "visitor", "--drive")
 
-    heard = wait_for(lambda: scans(visitor, 20), what="a scan of ROS 1 at a node of ROS 2")
+    heard = wait_for(lambda: scans(visitor, 20), seconds=120, what="a scan of ROS 1 at a node of ROS 2")
     assert (heard["frame"], heard["rays"], heard["first"]) == ("natalie/base_link", 301, -1.5)
-    assert heard["age"] < 0.5, "stamps stay what they are"
+    assert heard["youngest"] < 0.5, "stamps stay what they are"
     assert "hello from ROS 2" in roscore.tool("rostopic", "echo", "-n", "1", "/greeting"), "a message that was said once, before anybody listened"
     wait_for(lambda: 0.19 < roscore.odometry()[2] < 0.21, what="the robot to be driven, and not faster than the bridge allows")
-    assert line(bridge, "drive")["control"] == "Bridge drive"
+    wait_for(lambda: line(bridge, "drive")["control"] == "Bridge drive", what="a line that says who has control")
 
     wait_for(lambda: lines(visitor)[-1].get("lights") == [True, "lights are True"], what="a node of ROS 2 to be answered by one of ROS 1")
+    wait_for(lambda: "/reset" in roscore.tool("rosservice", "list").split(), what="the service of ROS 2 to be offered in ROS 1")
     assert roscore.tool("rosservice", "type", "/reset").strip() == "std_srvs/Trigger", "the type is that of the service that answers"
     assert roscore.tool("rosservice", "call", "/reset").split() == ["success:", "True", "message:", '"reset', "by", "ROS", '2"']
     wait_for(lambda: line(bridge, "reset")["passed"] == 1 and line(bridge, "lights")["passed"] >= 1, what="the calls to be counted")
@@ -59,13 +60,13 @@ def test_nodes_of_ros_1_and_ros_2_hear_and_command_each_other(roscore, tmp_path)
     wait_for(lambda: roscore.odometry()[2] == 0, what="the robot to stand")
     kill_all_of(next(p for p in roscore.processes.running if p.out.name == "robot.out"))
     again = start_visitor(roscore, "again")
-    roscore.start_tool("/usr/bin/python3", PEERS / "accountable_robot.py", name="robot2")
+    roscore.start_tool("/usr/bin/python3", PEERS / "accountable_robot.py", "--no-queues", name="robot2")      # nothing is lost at the robot
     heard = wait_for(lambda: scans(again, 20), what="scans of a robot that came back")
     assert heard["gaps"] <= 1, "nothing is lost on the way"
     wait_for(lambda: line(bridge, "drive")["control"] == "", what="the lease to be given back")
 
     tell(bridge, signal.SIGINT)
-    bridge.wait(30)                             # a loaded machine takes its time to end a Java
+    bridge.wait(60)                             # a loaded machine takes its time to end a Java
     assert bridge.returncode == 130, bridge.err.read_text()
 
 

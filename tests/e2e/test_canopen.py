@@ -50,7 +50,7 @@ def test_drives_of_the_library_canopen_are_led_home(processes, environment, tmp_
     faults.write_text("2 3210\n")
     wait_for(lambda: said("(node 2) reports the error 0x3210 (DC link over-voltage)"), what="the emergency in words")
     wait_for(lambda: control.state("Homing") == "stopped", what="a plugin that fell")
-    assert {joint.control for joint in control.joints().values()} == {"safe"}
+    wait_for(lambda: {joint.control for joint in control.joints().values()} == {"safe"}, what="joints in their safe state")
     assert "asked" in control.ctl("recover")
     wait_for(lambda: said("(node 2) is asked to be enabled again"), seconds=60, what="the drive that is brought back")
     wait_for(lambda: (running.err.read_text() + running.out.read_text()).count("(node 2) is enabled") == 2, seconds=60, what="the drive again")
@@ -61,6 +61,6 @@ def test_the_library_canopen_leads_a_simulated_drive(processes, environment, tmp
     bus = tmp_path / "can"
     drives = processes.start([RT_BIN / "robotui-rt-drives", "-C", ARM / "rt-canopen.yaml", "--interface", f"unix:{bus}"], "drives", environment)
     wait_for(lambda: "drives 7" in drives.out.read_text(), what="the drives")
-    seen = subprocess.run([PYTHON, PEERS / "canopen_visitor.py", bus, "3"], env=environment, capture_output=True, text=True, timeout=90, check=False)
+    seen = subprocess.run([PYTHON, PEERS / "canopen_visitor.py", bus, "3"], env=environment, capture_output=True, text=True, timeout=180, check=False)
     assert seen.stdout.splitlines() == ["type 0x20192", "heartbeat PRE-OPERATIONAL", "refused 0x6010002", "state OPERATION ENABLED",
                                         "position 4321", "emergency 0x8130 state FAULT"], seen.stderr

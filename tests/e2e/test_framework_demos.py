@@ -38,16 +38,16 @@ use("Team");
 const names = ["natalie", "keira", "ruth", "lena", "carl", "yuki", "sam"];
 const port = (kind, type, name) => ports().filter(p => p.kind === kind && p.type === type).map(p => p.name).find(p => p.startsWith(name + "."));
 const found = () => names.map(n => ({odometry: port("stream", "Odometry", n), velocity: port("command", "VelocityCommand", n)}));
-const all = waitFor(() => { const f = found(); return f.every(r => r.odometry && r.velocity) ? f : null; }, 90);
+const all = waitFor(() => { const f = found(); return f.every(r => r.odometry && r.velocity) ? f : null; }, 120);
 robots().filter(r => r.ui === "Team").forEach(r => takeControl(r.name));
-const turning = robot => Math.abs(value(robot.odometry).angular.z) > 0.2;
-waitFor(() => { all.forEach(r => send(r.velocity, {angular: {z: 0.5}}, 2)); return all.every(turning); }, 60);
+const obeys = (robot, seconds) => { try { send(robot.velocity, {angular: {z: 0.5}}, seconds); return true; } catch (e) { return false; } };
+const speed = robot => { try { return Math.abs(value(robot.odometry).angular.z); } catch (e) { return NaN; } };
+waitFor(() => { all.forEach(r => obeys(r, 2)); return all.every(r => speed(r) > 0.2); }, 120);
 print("all turn");
 stop();
-waitFor(() => all.every(r => Math.abs(value(r.odometry).angular.z) < 0.01), 30);
+waitFor(() => all.every(r => speed(r) < 0.01), 60);
 print("all stand");
-const obeys = robot => { try { send(robot.velocity, {angular: {z: 0.5}}); return true; } catch (e) { return false; } };
-print("commands taken: " + all.filter(obeys).length);
+print("commands taken: " + all.filter(r => obeys(r, 0.5)).length);
 """
 
 
@@ -57,7 +57,7 @@ def test_one_stop_halts_a_team_of_seven_frameworks(processes, environment, tmp_p
     surroundings = {key: value for key, value in environment.items() if key not in NO_DISPLAY}
     robotui = processes.start([ROOT / "robotui", "run", "--text", "frameworks", "--script", script], "robotui", surroundings)
 
-    robotui.wait(150)
+    robotui.wait(400)
 
     assert robotui.out.read_text().splitlines() == ["all turn", "all stand", "commands taken: 0"], robotui.err.read_text()
     assert robotui.returncode == 0

@@ -12,7 +12,7 @@ import threading
 import pytest
 
 from conftest import NO_DISPLAY, ROOT, Robot, free_port, wait_for
-from desktop import DARK, Picture, Window, missing, output
+from desktop import DARK, Picture, Window, missing, output, pause
 from test_product import PRODUCTS, UPDATE_SITE, installed, run
 
 sys.path.insert(0, str(ROOT / "tests" / "sample-site"))
@@ -96,12 +96,12 @@ class Product:
         return [json.loads(line) for line in self.running.out.read_text().splitlines(keepends=True) if line.endswith("\n")]
 
     def says(self, sentence):
-        wait_for(lambda: sentence in self.log.read_text(encoding="utf-8"), 30, f"'{sentence}' in {self.log.read_text(encoding='utf-8')[-2000:]}")
+        wait_for(lambda: sentence in self.log.read_text(encoding="utf-8"), 60, f"'{sentence}' in {self.log.read_text(encoding='utf-8')[-2000:]}")
 
     def shows_the_robot(self):
         """From now on, not before."""
         before = len(self.lines())
-        wait_for(lambda: any(line.get("port") == "base.pose" and line["rate_hz"] > 0 for line in self.lines()[before:]), 30,
+        wait_for(lambda: any(line.get("port") == "base.pose" and line["rate_hz"] > 0 for line in self.lines()[before:]), 60,
                  f"a pose in {self.running.err.read_text()[-2000:]}")
 
     def state(self):
@@ -208,7 +208,7 @@ class Software:
 
     def press(self):
         """What can be done with the feature: to install or to remove it."""
-        output("xdotool", "mousemove", "--window", self.id, *map(str, self.row), "click", "1", "sleep", "0.5", "key", "Tab", "Tab", "space")
+        output("xdotool", "mousemove", "--window", self.id, *map(str, self.row), "click", "1", *pause(0.5), "key", "Tab", "Tab", "space")
 
     def install_unsigned(self):
         self.press()
@@ -225,7 +225,7 @@ def setting_of(ui):
 
 
 def titled(title):
-    found = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", title], capture_output=True, text=True, timeout=20, check=False).stdout.split()
+    found = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", title], capture_output=True, text=True, timeout=60, check=False).stdout.split()
     return found[-1] if found else None
 
 
@@ -246,20 +246,20 @@ def test_a_view_is_installed_in_the_window_opened_and_removed_and_its_settings_s
     def types():
         return [each["type"] for each in ui.call("viewTypes")]
 
-    with robotui.connect(socket, timeout=30) as ui:
+    with robotui.connect(socket, timeout=60) as ui:
         assert "trip" not in types()
         form = Software(window)
         form.install_unsigned()
-        wait_for(lambda: "trip" in types(), 30, "the type of the view")
+        wait_for(lambda: "trip" in types(), 60, "the type of the view")
         ui.call("openView", "trip")
         wait_for(lambda: setting_of(ui) == 1000, what="the view")
         ui.call("setSetting", "trip", "limit", 25)
         wait_for(lambda: setting_of(ui) == 25, what="the setting")
 
         form.press()
-        wait_for(lambda: "trip" not in types(), 30, "that it is gone")
+        wait_for(lambda: "trip" not in types(), 60, "that it is gone")
 
         form.install_unsigned()
-        wait_for(lambda: "trip" in types(), 30, "its return")
+        wait_for(lambda: "trip" in types(), 60, "its return")
         wait_for(lambda: setting_of(ui) == 25, what="the setting that stayed")
     assert process.poll() is None

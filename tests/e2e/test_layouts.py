@@ -8,7 +8,7 @@ import pytest
 import yaml
 
 from conftest import Robot, free_port, wait_for
-from desktop import DARK, NAVIGATOR, TOP_BAR, Window, java_of, missing, output
+from desktop import DARK, NAVIGATOR, TOP_BAR, Window, java_of, missing, output, pause
 
 CONFIG = """
 ruics:
@@ -49,7 +49,7 @@ class Arranged:
 
     def kill(self):
         os.kill(java_of(self.window.process, "equinox"), signal.SIGKILL)
-        self.window.process.wait(30)
+        self.window.process.wait(60)
 
     def kept(self):
         """What is kept of Natalie's views; nothing where nothing is."""
@@ -118,7 +118,7 @@ def test_one_more_view_is_added_by_its_name(nowhere, tmp_path):
 
 
 def typed(arranged, line):
-    output("xdotool", "sleep", "1", "type", "--delay", "30", line)
+    output("xdotool", *pause(1), "type", "--delay", "30", line)
     end = time.monotonic() + 4
     while arranged.kept().get("perspective") != "Map" and time.monotonic() < end:
         time.sleep(0.1)

@@ -7,7 +7,7 @@ import time
 
 import pytest
 
-from conftest import ROOT, SHARED, end, free_port, tell, wait_for
+from conftest import ROOT, SHARED, busy, end, free_port, tell, wait_for
 
 BUFFER = 4096             # so much a program of C keeps before it writes
 # Reads bags by the stock library, which this Python need not have.
@@ -27,7 +27,7 @@ def recording(name):
 
 
 def play(environment, *arguments, code=0):
-    done = subprocess.run([ROOT / "robotui", "log", "play", *map(str, arguments)], env=environment, capture_output=True, text=True, timeout=60)
+    done = subprocess.run([ROOT / "robotui", "log", "play", *map(str, arguments)], env=environment, capture_output=True, text=True, timeout=180)
     assert done.returncode == code, done.stdout + done.stderr
     return done.stdout + done.stderr
 
@@ -70,7 +70,7 @@ def test_the_stock_logger_of_lcm_gets_what_was_recorded(processes, environment, 
     wait_for(log.exists, what="the logger")
     play(environment | {"LCM_DEFAULT_URL": url}, original, "--rate", "10", "--delay", "2")
     wait_for(lambda: log.exists() and log.stat().st_size > original.stat().st_size - BUFFER, what="nearly all messages")
-    time.sleep(0.5)                             # for those that came last: it writes them when it ends
+    time.sleep(busy())                          # for those that came last: it writes them when it ends
     end(logger)
     assert events(log.read_bytes()) == events(original.read_bytes())
 

@@ -5,9 +5,8 @@ import subprocess
 
 import pytest
 
-from conftest import wait_for
+from conftest import busy, wait_for
 from desktop import Keys, Window, missing
-from test_window import busy
 from views import Views
 
 PEERS = pathlib.Path(__file__).parent / "peers"
@@ -21,7 +20,7 @@ HANGS = 10
 @pytest.fixture(autouse=True)
 def last_picture(tmp_path, processes):
     yield
-    subprocess.run(["import", "-silent", "-window", "root", str(tmp_path / "end.png")], timeout=20, check=False)
+    subprocess.run(["import", "-silent", "-window", "root", str(tmp_path / "end.png")], timeout=60, check=False)
 
 
 @pytest.fixture

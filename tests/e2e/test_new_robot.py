@@ -5,7 +5,7 @@ import subprocess
 import pytest
 
 from conftest import ROOT, Robot, free_port, java, wait_for
-from desktop import DARK, Keys, Picture, Window, missing, output
+from desktop import DARK, Keys, Picture, Window, missing, output, pause
 
 RUN_SECONDS = 120
 
@@ -92,19 +92,19 @@ class Form:
     @staticmethod
     def _asked(window):
         """A window that has just come does not hear its keys yet: so does a user press them again."""
-        output("xdotool", "windowactivate", "--sync", window.id, "sleep", "1.5", "key", "ctrl+shift+n", "sleep", "2")
-        found = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", "^New robot UI *$"], capture_output=True, text=True, timeout=20, check=False)
+        output("xdotool", "windowactivate", "--sync", window.id, *pause(1.5), "key", "ctrl+shift+n", *pause(2))
+        found = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", "^New robot UI *$"], capture_output=True, text=True, timeout=60, check=False)
         return next(iter(found.stdout.split()), None)
 
     def framework(self, name):
         """Chooses in the menu of frameworks, which stand in the order of their identifiers."""
-        output("xdotool", "windowactivate", "--sync", self.window, "key", "Down", "sleep", "0.7")
+        output("xdotool", "windowactivate", "--sync", self.window, "key", "Down", *pause(0.7))
         for _ in range(FRAMEWORKS.index(name) + 1):
             Keys.press("Down")
-        output("xdotool", "key", "Return", "sleep", "1")
+        output("xdotool", "key", "Return", *pause(1))
 
-    def click(self, x, y, pause="0.8"):
-        output("xdotool", "mousemove", "--window", self.window, str(x), str(y), "click", "1", "sleep", pause)
+    def click(self, x, y):
+        output("xdotool", "mousemove", "--window", self.window, str(x), str(y), "click", "1", *pause(0.8))
 
     def connect(self):
         self.click(330, self.height - 84)
@@ -151,7 +151,7 @@ def test_a_user_makes_a_robot_ui_in_three_steps_and_it_is_shown(processes, envir
 
     written = wait_for(lambda: (tmp_path / "keira.yaml").exists() and (tmp_path / "keira.yaml").read_text(), what="the file")
     assert f"type: {speaks}" in written and "type: mobilebase" in written
-    wait_for(window.is_live, seconds=30, what="the robot in the window")
+    wait_for(window.is_live, what="the robot in the window")
     wait_for(lambda: window.picture().count(DARK["laser"], 200, 44) > 100, what="its scan on the map")
     assert robotui(environment, "check", tmp_path / "keira.yaml").returncode == 0
 
@@ -164,5 +164,5 @@ def test_a_robot_that_is_not_reached_cannot_be_gone_on_with(processes, environme
     form = Form(Window.open(robot, tmp_path / "empty.yaml"))
     form.framework("player")
     form.connect()
-    output("xdotool", "sleep", "4")
+    output("xdotool", *pause(4))
     assert not form.may_go_on()

@@ -65,7 +65,7 @@ def test_two_recordings_are_moved_and_played_by_a_script(processes, environment,
     script.write_text(SCRIPT)
 
     process = start_robotui(robot, "run", "--text", str(config), "--script", str(script), name="playback")
-    process.wait(90)
+    process.wait(180)
 
     assert process.out.read_text().splitlines() == [
         "later true false", "last -4.8024 -21.1637", "before true", "map 651 717", "stands true false true", "step true true",

@@ -36,7 +36,7 @@ class Listening:
 
     def hears_more(self):
         before = len(self.text())
-        return wait_for(lambda: len(self.text()) > before and self.text()[before:], what=" ".join(map(str, self.process.args)))
+        return wait_for(lambda: len(self.text()) > before and self.text()[before:], seconds=120, what=" ".join(map(str, self.process.args)))
 
 
 def test_an_application_and_nodes_share_channels_and_come_back(roscore, processes, environment, tmp_path):
@@ -70,7 +70,7 @@ def test_an_application_and_nodes_share_channels_and_come_back(roscore, processe
     scans.hears_more()
     believed.hears_more()
     tell(bridge, signal.SIGINT)
-    bridge.wait(30)
+    bridge.wait(60)
     assert bridge.returncode == 130, bridge.err.read_text()
 
 

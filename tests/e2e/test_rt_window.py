@@ -32,7 +32,7 @@ SWITCH = (10, 42)                   # from the left edge of the plugins
 STATE = (52, 318)                   # name and state
 STATUS = 110                        # below the list
 HOMING, COMMUNICATION = 0, 2        # which switches theirs are
-PATIENCE = (10, 15, 30)             # s, from one try to the next
+PATIENCE = (30, 40, 60)             # s, from one try to the next: long, as the next click on a switch turns it back
 
 pytestmark = needs_rt
 
@@ -193,7 +193,7 @@ def last_picture(tmp_path):
     """Keeps what the screen showed at the end of each test."""
     yield
     if not missing():
-        subprocess.run(["import", "-silent", "-window", "root", str(tmp_path / "end.png")], timeout=20, check=False)
+        subprocess.run(["import", "-silent", "-window", "root", str(tmp_path / "end.png")], timeout=60, check=False)
 
 
 # ---- plugins --------------------------------------------------------------------------------------------------------
@@ -272,8 +272,8 @@ def test_a_command_beyond_a_limit_is_cut_and_counted(cell):
 
     cell.control.ctl("reference", "shoulder_yaw=99", "--for", "0.3")
 
+    wait_for(lambda: cell.joint().cut > cut, what="the cut")
     assert cell.joint().position == cell.joint().reference == UPPER
-    assert cell.joint().cut > cut
     wait_for(lambda: (cell.views.part(detail) != before).any(), what="the count")
 
 
@@ -291,7 +291,7 @@ def test_a_workbench_that_is_killed_while_it_drives_leaves_a_robot_that_stands(c
     assert joint.control == "commanded" and joint.owner == "XBotCommunicationPlugin", "the plugin holds it where it is"
     assert cell.supervisor.poll() is None
     cell.control.ctl("reference", f"shoulder_yaw={joint.position}", "--for", "0.1")     # nobody commands it any more
-    cell.window.process.wait(10)
+    cell.window.process.wait(60)
 
 
 def test_a_new_workbench_drives_and_lets_go_when_it_is_closed(cell):
@@ -316,10 +316,10 @@ def test_run_starts_the_control_that_a_configuration_names_and_ends_it(processes
 
     run = start_robotui(control.robot, "run", "--json", workbench)
 
-    wait_for(lambda: any(line["port"] == "rt.joints" and line["rate_hz"] > 5 for line in json_lines(run)), 60, "live joints")
+    wait_for(lambda: any(line["port"] == "rt.joints" and line["rate_hz"] > 5 for line in json_lines(run)), 120, "live joints")
     control.ctl("switch", "Homing", "1")
     run.send_signal(signal.SIGTERM)
     with contextlib.suppress(subprocess.TimeoutExpired):
-        run.wait(20)
+        run.wait(60)
     assert run.poll() is not None
     wait_for(lambda: not processes_of("robotui-rt-hal", control.config), what="the end of the control")

@@ -53,7 +53,7 @@ def test_an_error_ends_it_with_file_and_line(simulator, tmp_path):
 
 def run_script(robot, script):
     process = start_robotui(robot, "run", "--text", "ros", "--script", str(script), name=script.stem)
-    process.wait(60)
+    process.wait(120)
     return process.returncode, process.out.read_text(), process.err.read_text()
 
 

@@ -117,7 +117,7 @@ def test_nothing_changes_at_a_server_nor_on_a_bad_link_to_it(network, guard):   
     assert len(guards) == guard
     end(again, how=signal.SIGKILL)
     phases.append(bus.phase("after a kill"))
-    wait_for(lambda: ended(guards), seconds=5, what="the end of the guard")
+    wait_for(lambda: ended(guards), seconds=10, what="the end of the guard")
     keep(f"lcm-server-{'guarded' if guard else 'plain'}", phases)
     # LCM's server waits for its clients, and so for the network between: no guard on our side of it can help. That is measured alone.
     unharmed([phase for phase in phases if phase["name"] != OUTAGE])

@@ -30,7 +30,7 @@ def test_a_guard_changes_nothing_and_says_farewell_for_a_workbench_that_is_kille
     assert len(guards) == 1
     phases.append(graph.phase("with"))
     end(started, how=signal.SIGKILL)
-    wait_for(lambda: not graph.ours(), seconds=5, what="the farewells")
+    wait_for(lambda: not graph.ours(), seconds=10, what="the farewells")
     phases.append(graph.phase("after the kill"))
     assert ended(guards), "a guard is left"
     keep("killed-guarded", phases)
@@ -44,14 +44,14 @@ def test_a_stopped_workbench_with_a_guard_is_not_registered_and_comes_back(rosco
     started = workbench(graph, True)
     guards = guards_of(started)
     with Stopped(started):
-        wait_for(lambda: not graph.ours(), seconds=10, what="the farewells")
+        wait_for(lambda: not graph.ours(), seconds=20, what="the farewells")
         phases.append(graph.phase("while it is stopped"))
         assert phases[-1]["state"] == phases[0]["state"]
     comes_back(started, "odom", RATE / 2)
     wait_for(graph.ours, what="its registrations")
     phases.append(graph.phase("after its return"))
     closed(started)
-    wait_for(lambda: not graph.ours(), seconds=3, what="the end of our registrations")
+    wait_for(lambda: not graph.ours(), seconds=10, what="the end of our registrations")
     phases.append(graph.phase("after"))
     assert ended(guards), "a guard is left"
     keep("stopped-guarded", phases)
@@ -96,7 +96,7 @@ def test_a_bad_link_to_the_workbench_changes_nothing(network, ros_tools, guard):
     comes_back(started, "odom", RATE / 2)
     phases.append(graph.phase("after the bad link"))
     closed(started)
-    wait_for(lambda: not graph.ours(), seconds=3, what="the end of our registrations")
+    wait_for(lambda: not graph.ours(), seconds=10, what="the end of our registrations")
     phases.append(graph.phase("after"))
     assert ended(guards), "a guard is left"
     keep(f"link-{'guarded' if guard else 'plain'}", phases)

@@ -56,8 +56,8 @@ def test_a_closed_window_leaves_nothing_of_fifty_nodes(swarm, tmp_path):
     master = Master(swarm.uri)
     window = look(swarm, master, configuration(tmp_path))
     window.close()
-    assert window.process.wait(40) == 0
-    assert master.state() == {}
+    assert window.process.wait(90) == 0
+    wait_for(lambda: master.state() == {}, what="the master to have taken all that was told to it")
     assert "not ended in time" not in window.process.err.read_text() + window.process.out.read_text()
 
 

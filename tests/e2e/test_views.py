@@ -68,7 +68,7 @@ def shared(tmp_path_factory):
 def last_picture(tmp_path, shared):
     """Keeps what the screen showed at the end of each test; none leaves the robot driving or stopped."""
     yield
-    subprocess.run(["import", "-silent", "-window", "root", str(tmp_path / "end.png")], timeout=20, check=False)
+    subprocess.run(["import", "-silent", "-window", "root", str(tmp_path / "end.png")], timeout=60, check=False)
 
 
 @pytest.fixture
@@ -153,7 +153,7 @@ def test_an_echo_subscribes_and_a_view_that_is_left_takes_nothing(views, robot):
 
     wait_for(lambda: subscribers(robot, "/imu/data"), what="a subscription")
     views.lives((left, top + 60, right, bottom))
-    assert len(views.rows((left + 120, top + 60, right, bottom))) > 8
+    wait_for(lambda: len(views.rows((left + 120, top + 60, right, bottom))) > 8, what="all of the message")
 
     views.open("map")
     wait_for(lambda: not subscribers(robot, "/imu/data"), what="the end of the subscription")
@@ -240,7 +240,7 @@ def opened(fields, form):
 
 def test_a_goal_from_the_form_moves_the_robot_and_cancel_preempts_it(views, motion, results):
     buttons = send_goal(views, 7, 5)
-    wait_for(motion.drives, seconds=20, what="motion")
+    wait_for(motion.drives, seconds=60, what="motion")
 
     views.window.click(Words(views.window.picture(), buttons, 10).places()[1])
 
@@ -250,7 +250,7 @@ def test_a_goal_from_the_form_moves_the_robot_and_cancel_preempts_it(views, moti
 
 def test_a_stop_cancels_a_goal(views, motion, results, window):
     send_goal(views, 7, 5)
-    wait_for(motion.drives, seconds=20, what="motion")
+    wait_for(motion.drives, seconds=60, what="motion")
 
     Keys.press("F12")
 
@@ -363,6 +363,6 @@ def test_at_the_end_nothing_went_wrong_on_the_way(window):
     """Last: also closing is quiet."""
     window.close()
 
-    assert window.process.wait(40) == 0
+    assert window.process.wait(90) == 0
     said = window.process.err.read_text()
     assert "Exception" not in said and "ERROR" not in said, said

@@ -8,7 +8,7 @@ import time
 
 import pytest
 
-from conftest import ROOT, Robot, end, free_port, listening, start_simulator, wait_for
+from conftest import ROOT, Robot, busy, end, free_port, listening, start_simulator, wait_for
 from desktop import DARK, LIGHT, TOP_BAR, Keys, Motion, Picture, Window, java_of, missing
 
 # What a robot may need to come to rest after the last command: its own time-out, and a machine with much to do.
@@ -21,7 +21,7 @@ def display(tmp_path, processes):
     if missing():
         pytest.skip(f"tests in a window need {missing()}")
     yield
-    subprocess.run(["import", "-silent", "-window", "root", str(tmp_path / "end.png")], timeout=20, check=False)
+    subprocess.run(["import", "-silent", "-window", "root", str(tmp_path / "end.png")], timeout=60, check=False)
 
 
 @pytest.fixture
@@ -44,7 +44,7 @@ def nowhere(processes, environment):
 def window(simulator):
     """The window on a robot, alive."""
     opened = Window.open(simulator, "ros")
-    wait_for(opened.is_live, what="a live robot")
+    wait_for(opened.is_live, seconds=120, what="a live robot")
     return opened
 
 
@@ -55,7 +55,7 @@ def motion(simulator):
 
 def drive(window, motion, keys):
     """Holds the key that drives. A display that was busy for too long stops the robot until the key comes again: so does a user."""
-    for patience in (4, 8, 16):
+    for patience in (10, 20, 40):
         window.click(wait_for(window.stick, what="the stick"))
         keys.hold("w")
         with contextlib.suppress(AssertionError):
@@ -69,13 +69,12 @@ def drive(window, motion, keys):
 
 @pytest.mark.parametrize("theme, colours", [("dark", DARK), ("light", LIGHT)])
 def test_the_demo_shows_its_robot_in_both_themes(nowhere, tmp_path, theme, colours):
-    file = tmp_path / "window.png"
-    window = Window.open(nowhere, "--theme", theme, "--screenshot", file, "--after", "8", "--for", "10")
+    for after in (8, 40):               # a busy machine takes longer until all is there
+        picture = picture_after(after, nowhere, theme, tmp_path)
+        width, height = picture.width, picture.height
+        if picture.count(colours["laser"], 200, TOP_BAR, int(width * 0.68), height) > 300:
+            break
 
-    assert window.process.wait(40) == 0, window.process.err.read_text()
-
-    picture = Picture.of(file)
-    width, height = picture.width, picture.height
     assert picture.colours() > 200
     assert picture.count(colours["bad"], width - 200, 0, width, TOP_BAR) > 1500, "the stop"
     assert picture.count(colours["ground"], 0, 0, width, TOP_BAR) > width * TOP_BAR / 3, "the top bar"
@@ -83,6 +82,13 @@ def test_the_demo_shows_its_robot_in_both_themes(nowhere, tmp_path, theme, colou
     assert picture.count(colours["accent"], 0, TOP_BAR, 6, height // 2) > 100, "the mark of the selected robot"
     assert picture.count(colours["good"], 12, 80, 28, 112) > 40, "the dot of a live robot"
     assert picture.count(colours["laser"], 200, TOP_BAR, int(width * 0.68), height) > 300, "the scan on the map"
+
+
+def picture_after(seconds, robot, theme, folder):
+    file = folder / f"window-{seconds}.png"
+    window = Window.open(robot, "--theme", theme, "--screenshot", file, "--after", str(seconds), "--for", str(seconds + 2), name=f"window-{seconds}")
+    assert window.process.wait(120) == 0, window.process.err.read_text()
+    return Picture.of(file)
 
 
 # ---- driving --------------------------------------------------------------------------------------------------------
@@ -94,7 +100,7 @@ def test_a_key_drives_while_it_is_held(window, motion, keys):
     wait_for(lambda: math.dist(motion.place(), before) > 0.1, what="some way")
     keys.let_go()
 
-    assert motion.seconds_until_it_stood(time.time()) < REST
+    assert motion.seconds_until_it_stood(time.time()) < REST * busy()
 
 
 def test_the_stick_drives_while_it_is_held(window, motion, keys):
@@ -106,7 +112,7 @@ def test_the_stick_drives_while_it_is_held(window, motion, keys):
     wait_for(lambda: motion.speed() > 0.1, what="forward motion")
     keys.let_go()
 
-    assert motion.seconds_until_it_stood(time.time()) < REST
+    assert motion.seconds_until_it_stood(time.time()) < REST * busy()
 
 
 def test_a_window_that_loses_the_focus_stops_the_robot(window, motion, keys, processes, environment):
@@ -115,7 +121,7 @@ def test_a_window_that_loses_the_focus_stops_the_robot(window, motion, keys, pro
     other = processes.start(["xev", "-event", "focus"], "xev", environment)
     wait_for(lambda: "FocusIn" in other.out.read_text(), what="the focus to go")
 
-    assert motion.seconds_until_it_stood(time.time()) < REST
+    assert motion.seconds_until_it_stood(time.time()) < REST * busy()
     end(other)
 
 
@@ -125,7 +131,7 @@ def test_a_stop_is_latched_until_it_is_released(window, motion, keys, how, simul
     drive(window, motion, keys)
 
     stop(window, keys, how, simulator)
-    assert motion.seconds_until_it_stood(time.time()) < REST
+    assert motion.seconds_until_it_stood(time.time()) < REST * busy()
     assert motion.stands_for(25)
     release = wait_for(window.release_button, what="the window to show the stop")
     keys.let_go()
@@ -175,11 +181,11 @@ def test_a_robot_outlives_a_workbench_that_was_killed(window, motion, keys, simu
     wait_for(lambda: scan_rate(rate), what="the rate of the scan")
 
     os.kill(java_of(window.process, "equinox.launcher"), signal.SIGKILL)
-    assert motion.seconds_until_it_stood(time.time()) < REST
+    assert motion.seconds_until_it_stood(time.time()) < REST * busy()
     keys.let_go()
-    window.process.wait(10)
+    window.process.wait(60)
     rate.out.write_text("")
-    assert wait_for(lambda: scan_rate(rate), what="the rate of the scan") > 15
+    wait_for(lambda: (scan_rate(rate) or 0) > 15, what="the rate of the scan")
 
     again = Window.open(simulator, "ros", name="again")
     drive(again, motion, keys)
@@ -234,11 +240,6 @@ def test_closing_ends_also_when_the_robot_hangs(window, motion, simulator, keys)
         assert window.process.wait(4 * busy()) == 0
     finally:
         os.kill(simulator.core.pid, signal.SIGCONT)
-
-
-def busy():
-    """How many times longer than alone a program takes on this machine now."""
-    return max(1.0, os.getloadavg()[0] / os.cpu_count())
 
 
 def is_running(pid):

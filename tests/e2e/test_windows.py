@@ -5,7 +5,7 @@ import subprocess
 import pytest
 
 from conftest import Robot, free_port, wait_for
-from desktop import DARK, TOP_BAR, Keys, Window, missing, output
+from desktop import DARK, TOP_BAR, Keys, Window, missing, output, pause
 
 RUICS = "ruics:\n" + "".join(f"  {name}:\n    type: mobilebase\n    rfics:\n      base: {{type: ros}}\n" for name in ("Natalie", "Keira", "Marvin"))
 
@@ -28,11 +28,11 @@ class Windows:
 
     def ids(self):
         found = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", "(^| - )RobotUI *$"], capture_output=True, text=True,
-                               timeout=20, check=False).stdout.split()
+                               timeout=60, check=False).stdout.split()
         return [window for window in found if self.first._is_ours(window)]
 
     def await_count(self, count):
-        wait_for(lambda: len(self.ids()) == count, seconds=40, what=f"{count} windows")
+        wait_for(lambda: len(self.ids()) == count, seconds=90, what=f"{count} windows")
         return self.ids()
 
     def selected(self):
@@ -41,18 +41,18 @@ class Windows:
 
     def close_one(self):
         left = self.ids()
-        output("xdotool", "windowactivate", "--sync", left[-1], "sleep", "0.5", "key", "alt+F4")
+        output("xdotool", "windowactivate", "--sync", left[-1], *pause(0.5), "key", "alt+F4")
         self.await_count(len(left) - 1)
 
     def close_all(self):
         while self.ids():
             self.close_one()
-        assert self.process.wait(40) == 0
+        assert self.process.wait(90) == 0
 
 
 def picture_of(any_window, window):
     """In front of all others, which would cover it."""
-    output("xdotool", "windowactivate", "--sync", window, "sleep", "0.4")
+    output("xdotool", "windowactivate", "--sync", window, *pause(0.4))
     other = object.__new__(Window)
     other.process, other.id, other._stick = any_window.process, window, None
     return other.picture()
@@ -71,7 +71,7 @@ def bounds(window):
 def new_window(window):
     """By the first entry of the menu Window."""
     output("xdotool", "windowactivate", "--sync", window, "mousemove", "--window", window, "362", "20", "click", "1")
-    output("xdotool", "sleep", "1", "key", "Down", "sleep", "0.3", "key", "Return")
+    output("xdotool", *pause(1), "key", "Down", *pause(0.3), "key", "Return")
 
 
 def test_each_window_begins_with_its_robot_and_a_new_one_with_what_is_left(nowhere, tmp_path):
@@ -94,8 +94,8 @@ def test_a_window_opens_where_the_user_left_it(nowhere, tmp_path):
     windows.await_count(2)
     wait_for(lambda: sorted(map(str, windows.selected())) == ["0", "1"], what="the robots of both windows")
     keira = windows.ids()[windows.selected().index(1)]
-    output("xdotool", "sleep", "3", "windowsize", "--sync", keira, "1000", "700")
-    output("xdotool", "windowmove", "--sync", keira, "300", "120", "sleep", "1")
+    output("xdotool", *pause(3), "windowsize", "--sync", keira, "1000", "700")
+    output("xdotool", "windowmove", "--sync", keira, "300", "120", *pause(1))
     left = sorted(map(bounds, windows.ids()))
     windows.close_all()
 
@@ -103,7 +103,7 @@ def test_a_window_opens_where_the_user_left_it(nowhere, tmp_path):
         again = Windows(nowhere, tmp_path, text)
         again.await_count(2)
         wait_for(lambda again=again: all(map(close, sorted(map(bounds, again.ids())), left)), what=f"windows at {left} in the {start} run")
-        output("xdotool", "sleep", "3")
+        output("xdotool", *pause(3))
         again.close_all()
 
 

@@ -3,7 +3,7 @@ import time
 
 import numpy
 
-from conftest import wait_for
+from conftest import busy, wait_for
 from desktop import DARK, NAVIGATOR, TOP_BAR, Keys, output
 
 TITLE = 0x262c34
@@ -119,7 +119,8 @@ class Views:
         Keys.press("Down")
 
     def still(self, rectangle, seconds=0.6):
-        """Waits until a part of the picture has not changed for a while."""
+        """Waits until a part of the picture has not changed for a while, which is longer on a busy machine."""
+        seconds *= min(busy(), 5)
         seen = [self.part(rectangle), time.monotonic()]
 
         def rests():
@@ -128,7 +129,7 @@ class Views:
                 seen[:] = [now, time.monotonic()]
             return time.monotonic() - seen[1] > seconds
 
-        wait_for(rests, seconds=20, what="a still picture")
+        wait_for(rests, what="a still picture")
 
     def button(self, rectangle):
         """The middle of the filled button, once it can be pressed."""
@@ -161,7 +162,7 @@ class Views:
 
     # ---- eyes -------------------------------------------------------------------------------------------------------
 
-    def lives(self, rectangle, seconds=20):
+    def lives(self, rectangle, seconds=60):
         """Waits until a part of the picture changes."""
         before = self.part(rectangle)
         wait_for(lambda: not numpy.array_equal(before, self.part(rectangle)), seconds=seconds, what="something new in the view")

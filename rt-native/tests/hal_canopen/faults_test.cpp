@@ -140,7 +140,7 @@ TEST_F(CanOpenTest, a_bus_that_goes_away_is_a_fault) {
 
 // The drives are gone with their control: they stop by themselves.
 TEST_F(CanOpenTest, a_drive_whose_control_falls_silent_stops) {
-  open(", heartbeat_ms: 20, heartbeat_timeout_ms: 500");
+  open(", heartbeat_ms: 20, heartbeat_timeout_ms: 2000");
   ASSERT_TRUE(cycleUntil(Status::kOk)) << all();
   const auto state = [&] { return world.with(0, [](simulated::Drive& drive) { return drive.motor().state(); }); };
   for (int i = 0; i < 20'000 && state() == DriveState::kEnabled; ++i)

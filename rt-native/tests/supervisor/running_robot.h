@@ -16,7 +16,7 @@
 namespace robotui::rt::supervisor {
 
 // Waits for it, with patience for a loaded machine; false where it never came.
-bool eventually(const std::function<bool()>& condition, std::chrono::milliseconds patience = std::chrono::seconds(20));
+bool eventually(const std::function<bool()>& condition, std::chrono::milliseconds patience = std::chrono::seconds(60));
 
 // YAML that says all.
 struct WholeConfig {

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """A robot of rospy whose every step can be accounted for: it moves only as it is commanded, and publishes where it is.
 
-Odometry and a scan come ten times a second, with the number of the step in their headers. A second node (--driver) makes
+Odometry and a scan come ten times a second, with the number of the step in their headers, and in the intensities of a scan. A second node (--driver) makes
 it drive in a figure of eight, and is the only one that commands it. With --no-queues it also sends pictures, and waits for all its
 subscribers; with --lights it offers a service.
 """
@@ -47,8 +47,9 @@ class Robot:
         return message
 
 
-def scan():
-    message = LaserScan(angle_min=-1.5, angle_max=1.5, angle_increment=0.01, range_min=0.1, range_max=10.0, ranges=[2.0] * 301)
+def scan(number):
+    message = LaserScan(angle_min=-1.5, angle_max=1.5, angle_increment=0.01, range_min=0.1, range_max=10.0, ranges=[2.0] * 301,
+                        intensities=[float(number)] * 301)
     message.header.stamp = rospy.Time.now()
     message.header.frame_id = "base_link"
     return message
@@ -69,13 +70,14 @@ def live():
     odometries = rospy.Publisher("odom", Odometry, queue_size=queue)
     scans = rospy.Publisher("scan", LaserScan, queue_size=queue)
     images = rospy.Publisher("image", Image, queue_size=None) if queue is None else None
-    robot, rate = Robot(), rospy.Rate(RATE)
+    robot, rate, step = Robot(), rospy.Rate(RATE), 0
     while not rospy.is_shutdown():
         robot.step()
         odometries.publish(robot.odometry())
-        scans.publish(scan())
+        scans.publish(scan(step))
         if images:
             images.publish(image())
+        step += 1
         rate.sleep()
 
 

@@ -107,7 +107,7 @@ class ModuleTest {
       assertEquals(Optional.of("0.3"), params.get("robot", "max_t_vel"));
       await(() -> changes.equals(List.of("max_t_vel=0.3")));
       Outcome<IpcAnswer> version = ui.sender(FORMS.get("carmen_param_query_version"))
-          .query(FORMS.get("carmen_param_query_version").make().build(), Duration.ofSeconds(5));
+          .query(FORMS.get("carmen_param_query_version").make().build(), Duration.ofSeconds(30));
       assertEquals(8, version.toOptional().orElseThrow().record().whole("minor"));
     }
   }

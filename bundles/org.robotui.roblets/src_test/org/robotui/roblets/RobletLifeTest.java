@@ -30,6 +30,8 @@ import org.robotui.roblets.wire.RobletStatus;
 @Timeout(120)
 class RobletLifeTest {
   private static final BodyPath BEAT = BodyPath.parse("heart/heartBeat/@beat");
+  /** More beats than an instance lives for: each begins at its own multiple of it. */
+  private static final long LIFE = 1_000_000;
 
   private final TestBody body = new TestBody();
 
@@ -113,9 +115,8 @@ class RobletLifeTest {
   @Test
   void a_roblet_is_found_and_heard_and_goes_with_a_word() throws IOException {
     RobletRunner heart = body.run(() -> new Heart(new AtomicLong(), new AtomicBoolean()));
-    body.await("it is heard", () -> beat() > 5);
-    assertEquals(RobletStatus.RUNNING, state("heart"));
-    assertTrue(body.brain().bodymap().history("heart", "heartBeat").size() > 2);
+    body.await("it is heard", () -> beat() > 5 && state("heart").equals(RobletStatus.RUNNING));
+    body.await("what it said is remembered", () -> body.brain().bodymap().history("heart", "heartBeat").size() > 2);
     heart.close();
     assertEquals(RobletState.STOPPED, heart.state());
     body.await("that is told", () -> state("heart").equals(RobletStatus.STOPPED));
@@ -125,17 +126,15 @@ class RobletLifeTest {
   void one_that_fails_is_started_again_and_others_do_not_notice() throws IOException {
     AtomicBoolean fail = new AtomicBoolean();
     AtomicInteger made = new AtomicInteger();
-    RobletRunner heart = body.run(() -> {
-      made.incrementAndGet();
-      return new Heart(new AtomicLong(), fail);
-    });
+    RobletRunner heart = body.run(() -> new Heart(new AtomicLong(made.incrementAndGet() * LIFE), fail));
     body.run(RudderRoblet::new);
-    body.await("both are heard", () -> beat() > 50 && state("rudder").equals(RobletStatus.RUNNING));
+    body.await("both are heard", () -> beat() > LIFE + 50 && state("rudder").equals(RobletStatus.RUNNING)
+        && body.brain().bodymap().snapshot().entry("rudder", "turn").isPresent());
     long before = sequenceOfRudder();
     fail.set(true);
     body.await("that is told with its reason", () -> body.brain().roblets().stream()
         .anyMatch(s -> s.state().equals("failed") && s.reason().contains("it stopped")));
-    body.await("another instance beats", () -> heart.restarts() == 1 && beat() > 0 && beat() < 50);
+    body.await("another instance beats", () -> heart.restarts() == 1 && beat() > 2 * LIFE);
     assertEquals(2, made.get());
     body.await("and goes on", () -> state("heart").equals(RobletStatus.RUNNING));
     body.await("the other one did all the while", () -> sequenceOfRudder() > before + 5);
@@ -168,7 +167,7 @@ class RobletLifeTest {
     BodyPath heard = BodyPath.parse("heart2/turn/@of");
     body.await("the friend was told",
         () -> body.brain().bodymap().snapshot().values(heard).equals(List.of("rudder0.0")));
-    assertEquals(RobletStatus.RUNNING, state("heart2"));
+    body.await("it is said to run", () -> state("heart2").equals(RobletStatus.RUNNING));
   }
 
   @Test

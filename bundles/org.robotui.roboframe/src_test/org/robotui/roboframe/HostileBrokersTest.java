@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.net.InetAddress;
 import java.net.Socket;
 import java.net.SocketException;
@@ -188,9 +189,22 @@ class HostileBrokersTest {
       ByteBuffer big = ByteBuffer.allocate(2 << 20);
       for (int i = 0; i < 50; i++) { // 100 MB, were they kept
         pictures.push(new PictureStreamable(i, "camera", "jpeg", big));
+        saysThatItIsThere(socket);
       }
-      BrokerWaiting.until("a picture at who reads", () -> taken.get() == 49);
+      BrokerWaiting.until("a picture at who reads", () -> {
+        saysThatItIsThere(socket);
+        return taken.get() == 49;
+      });
       assertEquals(2, router.applications().size(), "who does not read is still linked: " + socket);
+    }
+  }
+
+  /** Who says nothing for ten seconds is given up, which a busy machine needs for a hundred megabytes. */
+  private static void saysThatItIsThere(Socket socket) {
+    try {
+      socket.getOutputStream().write(FRAMES.bytes(new BrokerMessage.Ping(1)));
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
     }
   }
 

@@ -30,7 +30,7 @@ class ClockTest {
       long now = System.currentTimeMillis();
       assertTrue(Math.abs(node.clock().nowNanos() / 1_000_000 - now) < 5_000);
       assertFalse(node.clock().isSimulated());
-      assertTrue(node.awaitRegistered(java.time.Duration.ofSeconds(5)));
+      assertTrue(node.awaitRegistered(java.time.Duration.ofSeconds(30)));
       simulator.parameters().set("/use_sim_time", XmlRpcValue.of(true));
       Publisher<RawMessage> publisher = simulator.publisher("/clock", new RawCodec(CLOCK), PublisherOptions.standard());
       Eventually.await("the simulated time", () -> {

@@ -10,9 +10,9 @@ public final class Eventually {
 
   private Eventually() {}
 
-  /** Waits up to ten seconds and fails if the condition never held. */
+  /** Waits up to thirty seconds and fails if the condition never held. */
   public static void await(String what, BooleanSupplier condition) {
-    await(what, Duration.ofSeconds(10), condition);
+    await(what, Duration.ofSeconds(30), condition);
   }
 
   /** Waits so long at most and fails if the condition never held. */

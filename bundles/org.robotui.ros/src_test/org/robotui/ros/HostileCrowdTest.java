@@ -19,6 +19,7 @@ import org.robotui.net.socket.HostPort;
 import org.robotui.ros.internal.xmlrpc.XmlRpcClient;
 import org.robotui.ros.internal.xmlrpc.XmlRpcFault;
 import org.robotui.ros.internal.xmlrpc.XmlRpcLimits;
+import org.robotui.testkit.MachineLoad;
 
 /** Many liars at once, at a node's links and at our own master, while two honest nodes talk. */
 class HostileCrowdTest {
@@ -40,7 +41,7 @@ class HostileCrowdTest {
         (text, reception) -> heard.add(text));
     Eventually.await("the honest link", () -> honest.numSubscribers() == 1);
     talker.serviceServer("door", HostileCrowdTest.echo(), (request, caller) -> request);
-    assertTrue(talker.awaitRegistered(Duration.ofSeconds(5)));
+    assertTrue(talker.awaitRegistered(Duration.ofSeconds(30)));
     tcp = HostPort.ofUri(talker.master().lookupService("/door").toOptional().orElseThrow(), "rosrpc");
     master = HostPort.ofUri(graph.master().uri().toString(), "http");
   }
@@ -109,7 +110,7 @@ class HostileCrowdTest {
   void aHeaderThatDripsIsCutOffInTime() throws Exception {
     Socket socket = connect(tcp, new MessageWriter().i32(1000).toByteArray());
     long start = System.nanoTime();
-    Eventually.await("the end of the connection", Duration.ofSeconds(6), () -> {
+    Eventually.await("the end of the connection", () -> {
       try {
         socket.getOutputStream().write('x');
         return !isOpen(socket);
@@ -117,7 +118,7 @@ class HostileCrowdTest {
         return true;
       }
     });
-    assertTrue(System.nanoTime() - start < 5_000_000_000L);
+    assertTrue(System.nanoTime() - start < 5_000_000_000L * MachineLoad.factor());
   }
 
   @Test
@@ -130,7 +131,7 @@ class HostileCrowdTest {
       honest.publish(large);
     }
     assertTrue(honest.dropped() > 0, "its queue has no bound");
-    assertTrue(System.nanoTime() - start < 8_000_000_000L, "publishing waits for it");
+    assertTrue(System.nanoTime() - start < 8_000_000_000L * MachineLoad.factor(), "publishing waits for it");
   }
 
   @Test

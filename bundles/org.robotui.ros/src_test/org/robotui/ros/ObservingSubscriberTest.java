@@ -28,7 +28,7 @@ class ObservingSubscriberTest {
 
   private List<TopicInfo> typesAfter(SubscriberOptions options) {
     node.subscriber("nothing", new TextCodec(), options, (text, reception) -> {});
-    assertTrue(node.awaitRegistered(Duration.ofSeconds(5)));
+    assertTrue(node.awaitRegistered(Duration.ofSeconds(30)));
     return node.master().topicTypes().toOptional().orElseThrow().stream()
         .filter(topic -> topic.name().equals("/nothing")).toList();
   }

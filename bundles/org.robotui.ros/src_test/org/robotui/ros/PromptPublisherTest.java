@@ -34,7 +34,7 @@ class PromptPublisherTest {
         new org.robotui.message.ServiceCodec<>("test/Echo", "0123456789abcdef0123456789abcdef", new TextCodec(),
             new TextCodec()),
         (request, caller) -> request);
-    assertTrue(node.awaitRegistered(java.time.Duration.ofSeconds(3)));
+    assertTrue(node.awaitRegistered(java.time.Duration.ofSeconds(30)));
   }
 
   @AfterEach

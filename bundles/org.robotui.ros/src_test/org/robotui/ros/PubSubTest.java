@@ -131,7 +131,7 @@ class PubSubTest {
     Eventually.await("a link", () -> subscriber.numPublishers() == 1);
     publisher.close();
     Eventually.await("no link", () -> subscriber.numPublishers() == 0);
-    assertTrue(talker.awaitRegistered(Duration.ofSeconds(5)));
+    assertTrue(talker.awaitRegistered(Duration.ofSeconds(30)));
     assertEquals(List.of(new TopicInfo("/rosout_agg", "rosgraph_msgs/Log")),
         listener.master().publishedTopics().toOptional().orElseThrow());
   }

@@ -1,6 +1,5 @@
 package org.robotui.ros;
 
-import java.time.Duration;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
@@ -26,6 +25,6 @@ public final class TestThreads implements ThreadFactory {
 
   /** Fails if a thread is left shortly after all owners were closed. */
   public void assertNoneLeft() {
-    Eventually.await("no threads left but there are " + alive(), Duration.ofSeconds(2), () -> alive().isEmpty());
+    Eventually.await("no threads left but there are " + alive(), () -> alive().isEmpty());
   }
 }

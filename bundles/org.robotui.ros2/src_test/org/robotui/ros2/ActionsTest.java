@@ -33,7 +33,7 @@ import org.robotui.ros2.graph.GraphAction;
 /** Goals of one node at another. */
 class ActionsTest {
 
-  private static final Duration LONG = Duration.ofSeconds(5);
+  private static final Duration LONG = Duration.ofSeconds(30);
 
   private final FakeDomain domain = new FakeDomain();
   private final List<String> heard = new CopyOnWriteArrayList<>();

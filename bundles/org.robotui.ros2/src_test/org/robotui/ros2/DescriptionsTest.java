@@ -29,7 +29,7 @@ import org.robotui.rtps.VendorId;
 /** What a node of ours tells others of itself: its types, and what happens to it. */
 class DescriptionsTest {
 
-  private static final Duration LONG = Duration.ofSeconds(5);
+  private static final Duration LONG = Duration.ofSeconds(30);
   private static final TypeName LEAF = TypeName.parse("demo/msg/Leaf").orElseThrow();
 
   private final FakeDomain domain = new FakeDomain();

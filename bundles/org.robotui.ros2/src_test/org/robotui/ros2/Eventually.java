@@ -10,7 +10,7 @@ public final class Eventually {
   private Eventually() {}
 
   public static void await(String what, BooleanSupplier condition) {
-    if (!Waiting.until(Duration.ofSeconds(5), () -> false, condition)) {
+    if (!Waiting.until(Duration.ofSeconds(30), () -> false, condition)) {
       throw new AssertionError("did not happen: " + what);
     }
   }

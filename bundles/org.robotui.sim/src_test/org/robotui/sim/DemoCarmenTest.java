@@ -21,6 +21,7 @@ import org.robotui.carmen.message.IpcRecord;
 import org.robotui.carmen.message.IpcForms;
 import org.robotui.carmen.message.IpcRecordMaker;
 import org.robotui.carmen.module.IpcModule;
+import org.robotui.carmen.module.MessageSender;
 import org.robotui.carmen.module.ModuleOptions;
 import org.robotui.carmen.module.ParamClient;
 import org.robotui.net.socket.HostPort;
@@ -50,7 +51,7 @@ class DemoCarmenTest {
     demo.close();
   }
 
-  private IpcRecord await(String message, Predicate<IpcRecord> wanted) throws Exception {
+  private void listen(String message) throws IOException {
     if (!heard.containsKey(message)) {
       BlockingQueue<IpcRecord> queue = new LinkedBlockingQueue<>();
       heard.put(message, queue);
@@ -59,6 +60,10 @@ class DemoCarmenTest {
         return Optional.empty();
       });
     }
+  }
+
+  private IpcRecord await(String message, Predicate<IpcRecord> wanted) throws Exception {
+    listen(message);
     long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE);
     while (true) {
       IpcRecord record = heard.get(message).poll(end - System.nanoTime(), TimeUnit.NANOSECONDS);
@@ -80,8 +85,12 @@ class DemoCarmenTest {
     assertEquals(361, laser.floats("range").length);
     assertEquals(Math.PI, laser.record("config").number("fov"), 1e-6);
     assertEquals(16, await("carmen_base_sonar", any -> true).records("sonar_offsets").size());
-    tell(forms.get("carmen_robot_vel").make().number("tv", 0.2));
-    await("carmen_base_odometry", m -> m.number("tv") > 0.15);
+    MessageSender velocities = module.sender(forms.get("carmen_robot_vel"));
+    await("carmen_base_odometry", m -> {
+      // again and again, as a robot stops that is told no more
+      velocities.command(forms.get("carmen_robot_vel").make().number("tv", 0.2).build());
+      return m.number("tv") > 0.15;
+    });
     tell(forms.get("carmen_robot_vel").make());
     await("carmen_base_odometry", m -> m.number("tv") == 0);
   }
@@ -96,6 +105,8 @@ class DemoCarmenTest {
         .query(forms.get("carmen_gridmap_request").make().build(), Duration.ofSeconds(PATIENCE)).toOptional()
         .orElseThrow().record();
     assertTrue(place.number("x") < map.record("config").whole("x_size") * map.record("config").number("resolution"));
+    listen("carmen_navigator_plan");
+    listen("carmen_navigator_status");
     tell(forms.get("carmen_navigator_set_goal_triplet").make().struct("goal", place.number("x") + 0.5,
         place.number("y"), 0));
     tell(forms.get("carmen_navigator_go").make());

@@ -102,8 +102,11 @@ class DemoSmartTest {
     SendClient sender = SendClient.connect(drive.address(), links);
     clients.add(sender);
     CommType velocity = types.get(drive.name().types().getFirst());
-    sender.send(velocity.bytes(Map.of("vX", 200)));
-    await("base/baseState", m -> number(m, "baseVelocity.vX") > 150);
+    ByteBuffer forward = velocity.bytes(Map.of("vX", 200));
+    await("base/baseState", m -> {
+      sender.send(forward.duplicate().order(forward.order())); // again and again, as a robot stops that is told no more
+      return number(m, "baseVelocity.vX") > 150;
+    });
     sender.send(velocity.bytes(Map.of()));
     await("base/baseState", m -> number(m, "baseVelocity.vX") == 0);
   }

@@ -62,9 +62,9 @@ class MainTest {
       assertTrue(line.matches("ROS_MASTER_URI=http://127\\.0\\.0\\.1:\\d+"), line);
       long before = System.nanoTime();
       demo.toHandle().destroy();
-      assertTrue(demo.waitFor(10, TimeUnit.SECONDS));
+      assertTrue(demo.waitFor(30, TimeUnit.SECONDS));
       long millis = (System.nanoTime() - before) / 1_000_000;
-      assertTrue(millis < 2000, "ended after " + millis + " ms");
+      assertTrue(millis < 8000, "ended after " + millis + " ms");
       assertNull(out.readLine());
     }
   }

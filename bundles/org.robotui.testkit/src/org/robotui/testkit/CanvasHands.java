@@ -16,7 +16,7 @@ import org.eclipse.swt.widgets.Event;
  * @param request asks it to paint
  */
 public record CanvasHands(Control canvas, LongSupplier paints, Runnable request) {
-  private static final long PATIENCE_NANOS = 5_000_000_000L;
+  private static final long PATIENCE_NANOS = 30_000_000_000L;
 
   /**
    * Moves the mouse or presses a button.

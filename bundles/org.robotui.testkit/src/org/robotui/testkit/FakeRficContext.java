@@ -196,15 +196,16 @@ public final class FakeRficContext implements RficContext, Offers, ClockSource {
 
   @Override
   public <T extends Data> Publication<T> stream(StreamPort<T> port, Demand demand) {
-    once(streams.putIfAbsent(port.name(), port));
-    demands.put(port.name(), demand);
-    return new FakePublication<>(port.name());
+    once(demands.putIfAbsent(port.name(), demand));
+    Publication<T> publication = new FakePublication<>(port.name());
+    streams.put(port.name(), port); // last: a test that sees it demands it at once
+    return publication;
   }
 
   @Override
   public <T extends Data> Offer command(CommandPort<T> port, CommandSink<T> sink) {
+    sinks.put(port.name(), sink); // first: a test that sees the command sends at once
     once(commands.putIfAbsent(port.name(), port));
-    sinks.put(port.name(), sink);
     return () -> commands.remove(port.name());
   }
 

@@ -66,8 +66,8 @@ public final class RobletLink implements DatagramEndpoint.Handler, RobletSpeech,
     }
   }
 
-  /** Tells the brain at once how it is. */
-  public void beacon() {
+  /** Tells the brain at once how it is. One after the other: else what it was before could be told last. */
+  public synchronized void beacon() {
     endpoint.say(sender, DatagramKind.BEACON, BRAIN, Optional.of(beacon.get()), options.brain());
   }
 

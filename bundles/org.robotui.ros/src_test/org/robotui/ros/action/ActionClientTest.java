@@ -30,7 +30,7 @@ import org.robotui.testkit.Effort;
 /** Goals at a server that does what a test wants. */
 class ActionClientTest {
 
-  private static final Duration TIME = Duration.ofSeconds(5);
+  private static final Duration TIME = Duration.ofSeconds(30);
   private static final Map<String, ?> GOAL = Map.of("target_pose", Map.of("pose", Map.of("position", Map.of("x", 3))));
 
   private final MessageRegistry registry = new MessageRegistry(new LocalDefinitions(List.of(), List.of()));

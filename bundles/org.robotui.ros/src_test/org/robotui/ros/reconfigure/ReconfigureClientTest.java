@@ -36,7 +36,7 @@ import org.robotui.ros.msgs.dynamic_reconfigure.StrParameter;
 /** The client at a server that says whatever a test wants. */
 class ReconfigureClientTest {
 
-  private static final Duration TIME = Duration.ofSeconds(5);
+  private static final Duration TIME = Duration.ofSeconds(30);
   private static final Config NONE = new Config(List.of(), List.of(), List.of(), List.of(), List.of());
 
   private final List<Config> asked = new CopyOnWriteArrayList<>();

@@ -32,7 +32,7 @@ import org.robotui.ui.Themes;
 @EnabledIf(value = Displays.AVAILABLE, disabledReason = Displays.REASON)
 class RowTableSwtTest {
   private static final int ROWS = 100_000;
-  private static final long PATIENCE_NANOS = 5_000_000_000L;
+  private static final long PATIENCE_NANOS = 30_000_000_000L;
 
   private final Display display = TestDisplay.get();
   private final List<Integer> formatted = new ArrayList<>();

@@ -20,7 +20,7 @@ final class ChildProduct implements AutoCloseable {
   private static final Set<String> STARTED =
       Set.of("org.apache.felix.scr", "org.eclipse.equinox.common", "org.eclipse.core.runtime",
           "org.eclipse.equinox.app");
-  private static final long END_SECONDS = 10;
+  private static final long END_SECONDS = 60;
 
   private final Path out;
   private final Path err;

@@ -47,7 +47,7 @@ class CoreBundleTest {
 
   @Test
   void closingLeavesNoThread() {
-    assertEquals(List.of(), world.core().close(Duration.ofSeconds(2)));
+    assertEquals(List.of(), world.core().close(Duration.ofSeconds(30)));
 
     world.awaitNoThread(OURS);
     assertEquals(1, robot.closed().get());
@@ -56,7 +56,7 @@ class CoreBundleTest {
 
   @Test
   void typesMayComeAndGoAfterClosing() throws Exception {
-    world.core().close(Duration.ofSeconds(2));
+    world.core().close(Duration.ofSeconds(30));
 
     Bundles.stop(World.TEXT);
     world.stopBringing(robot);
@@ -70,8 +70,8 @@ class CoreBundleTest {
   void aStoppedBundleLeavesNoThreadAndNoService() throws Exception {
     Bundles.stop(World.CORE);
 
-    assertEquals(1, robot.closed().get());
-    assertEquals(1, notes.closed().get());
+    Eventually.await("both are closed", () -> robot.closed().get() == 1 && notes.closed().get() == 1,
+        () -> robot.closed() + " " + notes.closed());
     world.awaitNoThread(OURS);
     assertTrue(Bundles.context().getServiceReference(Host.class) == null, "there is no host");
   }

@@ -12,6 +12,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.robotui.api.host.RuicState;
+import org.robotui.testkit.MachineLoad;
 
 /** A view that misbehaves fails alone, the user reads which bundle it was, and what it moved is stopped. */
 class FencedViewTest {
@@ -109,7 +110,8 @@ class FencedViewTest {
     assertLate(LATE);
     fence.world.awaitAlert("It could not be ended: bad hangs in tick; threads left: Keira.bad-2");
     assertLate("The view 'Bad view' still does not answer; it is started again in 4 s.");
-    assertEquals(List.of("Keira.bad-2"), World.threads("Keira.bad"), "all but it have ended");
+    Eventually.await("all but it have ended", () -> World.threads("Keira.bad").equals(List.of("Keira.bad-2")),
+        () -> World.threads("Keira.bad"));
   }
 
   @Test
@@ -133,7 +135,7 @@ class FencedViewTest {
     assertLate(LATE);
     long gone = fence.wheels.awaitStopped() - fence.wheels.commands().reversed().stream().filter(c -> !c.isZero())
         .findFirst().orElseThrow().nanos();
-    assertTrue(gone < 2_000_000_000L + SOON_NANOS,
+    assertTrue(gone < 2_000_000_000L + SOON_NANOS * MachineLoad.factor(),
         "its last command would have been valid for a minute, and was for " + gone);
   }
 
@@ -180,7 +182,7 @@ class FencedViewTest {
     fence.view("in: create, does: leak_polite");
     fence.world.await("bad", RuicState.SELECTED);
     assertEquals(1, World.threads("leaked-").size());
-    assertEquals(List.of(), fence.close(LIMIT));
+    assertEquals(List.of(), fence.close(LIMIT.multipliedBy(6)));
     fence.world.awaitNoThread("leaked-");
   }
 

@@ -1,6 +1,5 @@
 package org.robotui.core.tests;
 
-import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
@@ -95,11 +94,11 @@ abstract class FrameworkBundleCase {
 
   private void awaitLoss() {
     world.await("base", RuicState.FAILED);
-    assertEquals("type '" + framework.type() + "' is not there; install or start bundle " + framework.bundle(),
-        world.reason("base"));
-    String reason = world.awaitMatch("text.all", m -> m.state() == MatchState.PENDING).reason();
-    assertTrue(reason.endsWith("is not there; base has failed: " + world.reason("base")), reason);
-    assertEquals(List.of(), world.ports());
+    String why = "type '" + framework.type() + "' is not there; install or start bundle " + framework.bundle();
+    Eventually.await("it is said why", () -> world.reason("base").equals(why), () -> world.reason("base"));
+    world.awaitMatch("text.all", m -> m.state() == MatchState.PENDING
+        && m.reason().endsWith("is not there; base has failed: " + why));
+    Eventually.await("its ports are gone", () -> world.ports().isEmpty(), world::ports);
     world.awaitNoThread("Natalie.base");
     Eventually.await("no thread runs code of it", () -> ourThreads().isEmpty(), this::ourThreads);
     world.await("text", RuicState.SELECTED);

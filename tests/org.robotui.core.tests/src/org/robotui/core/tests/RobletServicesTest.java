@@ -106,7 +106,7 @@ class RobletServicesTest {
     made.getLast().fails = true;
     awaitState(RobletStatus.RUNNING, 1);
     assertEquals(2, made.size());
-    assertEquals(List.of(made.getFirst()), given);
+    Eventually.await("the first one was given back", () -> given.equals(List.of(made.getFirst())), () -> given);
 
     registration.unregister();
     Eventually.await("it has ended", () -> made.getLast().stopped, () -> made);

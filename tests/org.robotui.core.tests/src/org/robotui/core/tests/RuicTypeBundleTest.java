@@ -75,7 +75,7 @@ class RuicTypeBundleTest {
     world.awaitRuic(RuicState.FAILED);
     assertEquals("type 'single' is not there; install or start bundle org.robotui.ruic.single",
         ruic.snapshot().reason());
-    assertEquals(1, robot.closed().get());
+    Eventually.await("its robot interface is closed", () -> robot.closed().get() == 1, robot.closed()::get);
     world.awaitNoThread("Keira.");
 
     Bundles.start(World.SINGLE);

@@ -59,8 +59,8 @@ class ViewBundleTest {
   private void awaitLoss() {
     world.await("plain", RuicState.FAILED);
     world.await("typed", RuicState.FAILED);
-    assertTrue(ruic.uic("plain").isEmpty());
-    assertEquals(List.of(), World.threads("Keira.plain", "Keira.typed"));
+    Eventually.await("it is gone", () -> ruic.uic("plain").isEmpty(), ruic::snapshot);
+    world.awaitNoThread("Keira.plain", "Keira.typed");
   }
 
   private void assertTheOthersWentOn() {

@@ -44,7 +44,7 @@ final class World implements AutoCloseable {
       "org.robotui.rfic.player", "org.robotui.lcm",
       "org.robotui.rfic.lcm", "org.robotui.carmen", "org.robotui.rfic.carmen", "org.robotui.yarp",
       "org.robotui.rfic.yarp", "org.robotui.smartsoft", "org.robotui.rfic.smartsoft");
-  private static final long SERVICE_MILLIS = 10_000;
+  private static final long SERVICE_MILLIS = 60_000;
 
   private final Path folder;
   private final Map<ComponentType, ServiceRegistration<?>> types = new IdentityHashMap<>();

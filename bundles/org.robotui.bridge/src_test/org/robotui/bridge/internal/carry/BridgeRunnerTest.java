@@ -149,11 +149,9 @@ class BridgeRunnerTest {
     robots.says(FAST);
     TwoRobots.await(() -> robots.heard(VelocityCommand.class).size() == 1);
     robots.keira.authority().stop(FakeAuthority.ANNA);
-    robots.says(FAST);
-    robots.awaitText("stopped by Anna");
+    robots.saysUntilText(FAST, "stopped by Anna");
     robots.keira.authority().releaseStop(FakeAuthority.ANNA);
-    robots.says(FAST);
-    robots.awaitText("have not paused");
+    robots.saysUntilText(FAST, "have not paused");
     assertEquals(1, robots.heard(VelocityCommand.class).size());
 
     robots.says(FAST.stopped());

@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import org.robotui.api.bridge.BridgeConfig;
@@ -91,6 +92,15 @@ final class TwoRobots implements AutoCloseable {
 
   void awaitText(String part) {
     await(() -> status().text().contains(part), () -> "it says: " + status());
+  }
+
+  /** Said again and again, without a pause. */
+  void saysUntilText(Data value, String part) {
+    await(() -> {
+      says(value);
+      LockSupport.parkNanos(5_000_000);
+      return status().text().contains(part);
+    }, () -> "it says: " + status());
   }
 
   static void await(BooleanSupplier condition) {

@@ -138,7 +138,7 @@ class RelayTest {
       }
       thread.join();
       double seconds = (System.nanoTime() - start) / 1e9;
-      assertTrue(seconds < 3, seconds + " s");
+      assertTrue(seconds < 10, seconds + " s");
       hears.setSoTimeout(100);
       assertFalse(accepts(hears), "what was withdrawn is not said");
     }

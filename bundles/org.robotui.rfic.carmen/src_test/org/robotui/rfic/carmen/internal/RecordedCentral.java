@@ -18,6 +18,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.Assumptions;
 import org.robotui.carmen.message.IpcRecord;
@@ -46,8 +47,8 @@ final class RecordedCentral implements Closeable {
 
   private final ServerSocket server = new ServerSocket(0, 5, InetAddress.getLoopbackAddress());
   private final List<IpcFrame> greeting = new ArrayList<>();
-  private final Map<String, ByteBuffer> infos = new HashMap<>();
-  private final Map<Integer, String> names = new HashMap<>();
+  private final Map<String, ByteBuffer> infos = new ConcurrentHashMap<>(); // as the next: each module has a thread
+  private final Map<Integer, String> names = new ConcurrentHashMap<>();
   private final Map<Integer, ByteBuffer> system = new HashMap<>();
   private final Map<String, List<IpcFrame>> answers = new HashMap<>();
   private final Map<String, List<ByteBuffer>> deliveries = new HashMap<>();

@@ -31,7 +31,7 @@ class ManyRobotsTest extends RosRficCase {
   /** Longer than a node waits for its master at the end. */
   private static final Duration SLOW = Duration.ofMillis(800);
   /** Two seconds are allowed; the rest is for machines that others use as well. One after the other they take 40 s. */
-  private static final Duration END = Duration.ofSeconds(10);
+  private static final Duration END = Duration.ofSeconds(30);
   /**
    * Of fifty: those that a master had not heard when their time was over, on such machines; the next start removes
    * them.

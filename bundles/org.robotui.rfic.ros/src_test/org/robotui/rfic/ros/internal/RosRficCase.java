@@ -103,7 +103,7 @@ abstract class RosRficCase {
 
       @Override
       public long deadlineNanos() {
-        return System.nanoTime() + Duration.ofSeconds(3).toNanos();
+        return System.nanoTime() + Duration.ofSeconds(30).toNanos();
       }
 
       @Override

@@ -149,8 +149,11 @@ class RecordedYarpTest {
     asked.clear();
     assertEquals(new CommandSink.Sent.Unneeded(), sink.stop(JointCommand.ZERO, false));
     assertEquals(new CommandSink.Sent.Out(), sink.send(positions(5)));
-    robot.await("it is told", () -> asked.contains("[set] [pos] 1 5.0"));
-    assertEquals(List.of("[set] [pos] 1 5.0"), asked, "the joint is in its mode already");
+    robot.await("it is told", () -> {
+      sink.send(positions(5)); // again and again: one that is older than half a second is not told any more
+      return asked.contains("[set] [pos] 1 5.0");
+    });
+    assertEquals(Set.of("[set] [pos] 1 5.0"), Set.copyOf(asked), "the joint is in its mode already");
     assertEquals(new CommandSink.Sent.Out(), sink.send(JointCommand.ZERO));
     robot.await("it is halted", () -> asked.contains("[set] [sto] 1"));
   }

@@ -22,6 +22,7 @@ import org.robotui.ros.internal.xmlrpc.XmlRpcLimits;
 import org.robotui.ros.internal.xmlrpc.XmlRpcServer;
 import org.robotui.ros.master.MasterOptions;
 import org.robotui.ros.master.RosMaster;
+import org.robotui.testkit.MachineLoad;
 
 /** The master as seen over XML-RPC, with a scripted node that remembers what it is told. */
 class MasterApiTest {
@@ -160,7 +161,7 @@ class MasterApiTest {
         call("/p" + i, "registerPublisher", "/t", "a/T", "http://p" + i + ":1/");
       }
       Eventually.await("the last update", () -> told.stream().anyMatch(message -> message.contains("http://p49:1/")));
-      assertTrue(System.nanoTime() - start < Duration.ofSeconds(5).toNanos());
+      assertTrue(System.nanoTime() - start < Duration.ofSeconds(5).toNanos() * MachineLoad.factor());
     }
   }
 
@@ -178,7 +179,7 @@ class MasterApiTest {
         String publisher = "http://p" + i + ":1/";
         call("/p" + i, "registerPublisher", "/t", "a/T", publisher);
         Eventually.await("the update", () -> told.stream().anyMatch(message -> message.contains(publisher)));
-        assertTrue(System.nanoTime() - start < Duration.ofSeconds(1).toNanos(), "held up");
+        assertTrue(System.nanoTime() - start < Duration.ofSeconds(1).toNanos() * MachineLoad.factor(), "held up");
         int most = Notifier.PROVEN_THREADS + Notifier.OTHER_THREADS;
         assertTrue(threads.alive().stream().filter(name -> name.contains(" to ")).count() <= most,
             threads.alive().toString());

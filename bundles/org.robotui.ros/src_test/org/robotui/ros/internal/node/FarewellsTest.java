@@ -79,7 +79,7 @@ class FarewellsTest {
   void the_master_forgets_what_is_said_to_it_and_is_told_again_by_a_node_that_lives() throws Exception {
     node.publisher("/said", RecordCodec.of(StdString.class), PublisherOptions.standard());
     node.subscriber("/heard", RecordCodec.of(StdString.class), SubscriberOptions.standard(), (value, reception) -> {});
-    assertTrue(node.awaitRegistered(Duration.ofSeconds(5)));
+    assertTrue(node.awaitRegistered(Duration.ofSeconds(30)));
     assertEquals(List.of("/careful"), state().publishers().get("/said"));
     assertEquals(List.of("/careful"), state().subscribers().get("/heard"));
 
@@ -98,10 +98,10 @@ class FarewellsTest {
   void nothing_is_left_of_what_the_node_ended_itself() throws Exception {
     Subscriber subscriber = node.subscriber("/heard", RecordCodec.of(StdString.class), SubscriberOptions.standard(),
         (value, reception) -> {});
-    assertTrue(node.awaitRegistered(Duration.ofSeconds(5)));
+    assertTrue(node.awaitRegistered(Duration.ofSeconds(30)));
     int before = left.size();
     subscriber.close();
-    assertTrue(node.awaitRegistered(Duration.ofSeconds(5)));
+    assertTrue(node.awaitRegistered(Duration.ofSeconds(30)));
     assertEquals(before - 1, left.size());
     node.close();
     assertEquals(Map.of(), left);

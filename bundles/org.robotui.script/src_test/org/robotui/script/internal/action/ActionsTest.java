@@ -37,7 +37,7 @@ import org.robotui.script.internal.engine.Console;
 import org.robotui.testkit.host.FakeRuic;
 
 /** What users do becomes lines, and the lines do the same again. */
-@Timeout(30)
+@Timeout(120)
 class ActionsTest {
   private static final Principal YOU = new Principal("window", "You", Principal.Kind.WINDOW);
   private static final Principal PROGRAM = new Principal("script-9", "a script", Principal.Kind.SCRIPT);

@@ -35,7 +35,7 @@ public final class Console implements AutoCloseable {
   /** Runs a script to its end. */
   public ScriptOutcome run(String... lines) {
     try {
-      return session.run(new ScriptSource("test.js", String.join("\n", lines))).toCompletableFuture().get(30,
+      return session.run(new ScriptSource("test.js", String.join("\n", lines))).toCompletableFuture().get(120,
           TimeUnit.SECONDS);
     } catch (InterruptedException | ExecutionException | TimeoutException e) {
       throw new AssertionError(e);

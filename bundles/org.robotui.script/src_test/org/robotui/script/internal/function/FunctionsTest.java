@@ -137,7 +137,7 @@ class FunctionsTest {
 
   @Test
   void drivesAndStops() {
-    console.run("takeControl(); drive(0.2, -0.1, 0.25);");
+    console.run("takeControl(); drive(0.2, -0.1, 1);");
     List<String> sent = natalie.ports().sent();
     String motion = VELOCITY + " " + VelocityCommand.planar(0.2, -0.1);
     assertTrue(sent.size() >= 4 && sent.subList(0, 2).equals(List.of(motion, motion)), sent.toString());

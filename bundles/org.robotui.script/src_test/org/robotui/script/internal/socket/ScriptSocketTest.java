@@ -29,7 +29,7 @@ import org.robotui.script.internal.ScriptsComponent;
 import org.robotui.testkit.host.FakeHost;
 import org.robotui.testkit.host.FakeRuic;
 
-@Timeout(60)
+@Timeout(180)
 class ScriptSocketTest {
   @TempDir
   private Path folder;

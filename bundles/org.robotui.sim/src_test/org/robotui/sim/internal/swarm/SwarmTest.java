@@ -76,7 +76,7 @@ class SwarmTest {
       goal.publish(new PoseStamped(new Header(0, 0, "map"), new Pose(new Point(4, 12, 0), new Quaternion(0, 0, 0, 1))));
       await(() -> "going to 4.0 12.0".equals(task.get()), task.get());
       RosNode twin = node(swarm, "/r1", "robot"); // whose name another takes, that one ends
-      twin.awaitRegistered(Duration.ofSeconds(5));
+      twin.awaitRegistered(Duration.ofSeconds(30));
       long before = first.get();
       long others = second.get();
       await(() -> second.get() > others + 20, "the others stopped, too");

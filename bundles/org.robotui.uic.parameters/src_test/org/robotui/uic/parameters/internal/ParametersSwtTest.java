@@ -33,7 +33,7 @@ import org.robotui.uic.parameters.internal.view.Stage;
 
 @EnabledIf(value = Displays.AVAILABLE, disabledReason = Displays.REASON)
 class ParametersSwtTest {
-  private static final long PATIENCE_NANOS = 5_000_000_000L;
+  private static final long PATIENCE_NANOS = 30_000_000_000L;
 
   private final FakeUicContext context = new FakeUicContext("parameters", ParametersOptions.schema());
   private final ParametersModel model = new ParametersModel(context);
