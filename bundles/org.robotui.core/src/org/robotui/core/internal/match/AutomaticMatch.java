@@ -31,7 +31,9 @@ record AutomaticMatch(Want want, List<Have> haves, List<Supplier> suppliers) {
         : ambiguous(fitting, named.isEmpty() ? fitting : named);
   }
 
-  /** Where the ports of one interface end with the name, that which is called so and nothing else stands for the others. */
+  /**
+   * Where the ports of one interface end with the name, that which is called so and nothing else stands for the others.
+   */
   private List<Have> nearest(List<Have> named) {
     List<Have> whole = named.stream().filter(h -> h.port().name().equals(want.port().name())).toList();
     boolean together = named.stream().map(h -> h.id().component()).distinct().count() == 1;
