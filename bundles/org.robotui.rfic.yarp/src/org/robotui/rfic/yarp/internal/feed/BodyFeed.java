@@ -20,8 +20,8 @@ import org.robotui.data.joint.JointCommand;
 import org.robotui.data.joint.JointControl;
 import org.robotui.data.joint.JointModel;
 import org.robotui.data.joint.JointState;
+import org.robotui.rfic.yarp.internal.convert.BoardGroup;
 import org.robotui.rfic.yarp.internal.convert.BoardModel;
-import org.robotui.rfic.yarp.internal.convert.BodyModel;
 import org.robotui.yarp.bottle.Bottle;
 
 /**
@@ -41,7 +41,7 @@ final class BodyFeed implements CommandSink<JointCommand>, AutoCloseable {
   private final Set<BoardPart> fresh = new HashSet<>();
   private final List<Offer> offers = new ArrayList<>();
   private Optional<Outlets> outlets = Optional.empty();
-  private BodyModel told = new BodyModel(List.of());
+  private BoardGroup told = new BoardGroup(List.of());
   private boolean closed;
 
   private record Outlets(PortOutlet<JointState> joints, PortOutlet<JointControl> control,
@@ -87,7 +87,7 @@ final class BodyFeed implements CommandSink<JointCommand>, AutoCloseable {
   }
 
   private void publish(long now, Optional<Stamp> stamp) {
-    BodyModel body = body();
+    BoardGroup body = body();
     List<JointState.Joint> joints = new ArrayList<>();
     List<JointControl.Joint> control = new ArrayList<>();
     parts.forEach((part, said) -> said.filter(last -> now - last.at() < OLD_NANOS).ifPresent(last -> {
@@ -101,14 +101,14 @@ final class BodyFeed implements CommandSink<JointCommand>, AutoCloseable {
     });
   }
 
-  private BodyModel body() {
-    return new BodyModel(parts.keySet().stream().flatMap(part -> part.model().stream()).toList());
+  private BoardGroup body() {
+    return new BoardGroup(parts.keySet().stream().flatMap(part -> part.model().stream()).toList());
   }
 
   /** Tells the limits where somebody begins to look at them, and where joints of one more board are known. */
   synchronized void tick() {
     outlets.ifPresent(all -> {
-      BodyModel body = all.model().demanded() ? body() : new BodyModel(List.of());
+      BoardGroup body = all.model().demanded() ? body() : new BoardGroup(List.of());
       if (!body.equals(told) && !body.boards().isEmpty()) {
         all.model().publish(body.model(), Optional.empty());
       }
@@ -118,7 +118,7 @@ final class BodyFeed implements CommandSink<JointCommand>, AutoCloseable {
 
   @Override
   public synchronized Sent send(JointCommand command) {
-    BodyModel body = body();
+    BoardGroup body = body();
     Map<BoardPart, List<JointCommand.Joint>> shares = new HashMap<>();
     for (JointCommand.Joint joint : command.joints()) {
       Optional<BoardPart> owner =
@@ -136,7 +136,7 @@ final class BodyFeed implements CommandSink<JointCommand>, AutoCloseable {
             : new Sent.Unneeded());
   }
 
-  private static OptionalInt index(BodyModel body, BoardPart part, String joint) {
+  private static OptionalInt index(BoardGroup body, BoardPart part, String joint) {
     return part.model().map(board -> body.named(board).index(joint)).orElse(OptionalInt.empty());
   }
 

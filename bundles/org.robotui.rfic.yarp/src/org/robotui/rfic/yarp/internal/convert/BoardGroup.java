@@ -12,9 +12,9 @@ import org.robotui.data.joint.JointModel;
  *
  * @param boards whose joints are known
  */
-public record BodyModel(List<BoardModel> boards) {
+public record BoardGroup(List<BoardModel> boards) {
   /** With a list of its own. */
-  public BodyModel {
+  public BoardGroup {
     boards = List.copyOf(boards);
   }
 
