@@ -16,12 +16,12 @@ simulators=() simulator_dirs=() simulator_stays=
 declare -A simulator_variables=()
 
 # What one configuration asks for, a line with options for each robot. `simulator:` is `mobile-base`, `{robot: keira, speaks: player}`,
-# `{swarm: 50}`, `boat`, or a list of these.
+# `{swarm: 50}`, `boat`, `humanoid`, or a list of these.
 simulators_wanted() {
   awk -v config="$1" '
     function fail() {
       print "robotui: " config ": \047simulator\047 has " word "; write mobile-base, {robot: natalie or keira, speaks: ros, ros2, player, lcm, carmen, yarp, smartsoft, roblets or roboframe}," > "/dev/stderr"
-      print "  {robot: natalie, speaks: ros2, domain: 42}, {swarm: 50}, boat, or a list of these" > "/dev/stderr"
+      print "  {robot: natalie, speaks: ros2, domain: 42}, {swarm: 50}, boat, humanoid, or a list of these" > "/dev/stderr"
       failed = 1
       exit 2
     }
@@ -51,6 +51,7 @@ simulators_wanted() {
         word = text
         if (match(text, /^mobile-base/)) print "--robot natalie --speak ros"
         else if (match(text, /^boat/)) print "--boat"
+        else if (match(text, /^humanoid/)) print "--humanoid"
         else if (match(text, /^\{[^{}]*\}/)) { word = substr(text, 1, RLENGTH); print options(substr(text, 2, RLENGTH - 2)); match(text, /^\{[^{}]*\}/) }
         else fail()
         text = substr(text, RLENGTH + 1)
@@ -84,7 +85,7 @@ start_simulators() {
 }
 
 start_simulator() {
-  local stay=$1 number=$2 out prefix=() options=(--seed "$2" --lcm-types "$ROOT/configs/lcm/types")
+  local stay=$1 number=$2 out prefix=() options=(--seed "$2" --lcm-types "$ROOT/configs/lcm/types" --urdf "$ROOT/configs/humanoid/humanoid.urdf")
   # shellcheck disable=SC2206
   options+=($3)
   need_simulator "$3"
@@ -107,6 +108,7 @@ need_simulator() {
   local bundle word wanted=(org.robotui.sim) words=()
   [[ $1 != *--swarm* ]] || wanted+=(org.robotui.ros)
   [[ $1 != *--boat* ]] || wanted+=(org.robotui.roblets)
+  [[ $1 != *--humanoid* ]] || wanted+=(org.robotui.yarp)
   read -ra words <<<"${1//,/ }"
   for word in "${words[@]}"; do
     case $word in
@@ -121,7 +123,7 @@ need_simulator() {
 # The simulator needs no OSGi: the same bundles are plain jars.
 simulator_classpath() {
   local bundle jars=()
-  for bundle in org.robotui.sim org.robotui.ros org.robotui.ros2 org.robotui.rtps org.robotui.message org.robotui.player org.robotui.lcm org.robotui.carmen org.robotui.net org.robotui.geometry \
+  for bundle in org.robotui.sim org.robotui.ros org.robotui.ros2 org.robotui.rtps org.robotui.message org.robotui.player org.robotui.lcm org.robotui.carmen org.robotui.net org.robotui.geometry org.robotui.urdf \
     org.robotui.yarp org.robotui.smartsoft org.robotui.roblets org.robotui.roboframe \
     slf4j.api; do
     jars+=("$(jar_of "$bundle")")

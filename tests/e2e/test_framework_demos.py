@@ -61,3 +61,32 @@ def test_one_stop_halts_a_team_of_seven_frameworks(processes, environment, tmp_p
 
     assert robotui.out.read_text().splitlines() == ["all turn", "all stand", "commands taken: 0"], robotui.err.read_text()
     assert robotui.returncode == 0
+
+
+# A joint that is told a velocity again and again until it moves; parts sway by themselves, so that only speeds count that are not theirs.
+HUMANOID = """
+use("Humanoid");
+const joint = name => value("body.joints").joints.find(j => j.name === name);
+const parts = ["neck_yaw", "left_elbow", "right_elbow", "torso_yaw", "left_hip_yaw", "right_hip_yaw"];
+waitFor(() => { try { return value("body.joints").joints.length === 31; } catch (e) { return false; } }, 90);
+robots().forEach(r => takeControl(r.name));
+const command = velocity => ({joints: parts.map(name => ({name: name, reference: {velocity: velocity}, modes: ["VELOCITY"]}))});
+waitFor(() => { send("body.joint_command", command(0.05), 2); return parts.every(name => Math.abs(joint(name).velocity - 0.05) < 0.01); }, 60);
+print("all parts move");
+stop();
+waitFor(() => parts.every(name => joint(name).velocity === 0), 30);
+print("all parts stand");
+try { send("body.joint_command", command(0.05)); print("a command was taken"); } catch (e) { print("no command is taken"); }
+"""
+
+
+def test_one_stop_halts_all_parts_of_a_humanoid_over_yarp(processes, environment, tmp_path):
+    script = tmp_path / "humanoid.js"
+    script.write_text(HUMANOID, encoding="ascii")
+    surroundings = {key: value for key, value in environment.items() if key not in NO_DISPLAY}
+    robotui = processes.start([ROOT / "robotui", "run", "--text", "yarp-humanoid", "--script", script], "robotui", surroundings)
+
+    robotui.wait(120)
+
+    assert robotui.out.read_text().splitlines() == ["all parts move", "all parts stand", "no command is taken"], robotui.err.read_text()
+    assert robotui.returncode == 0

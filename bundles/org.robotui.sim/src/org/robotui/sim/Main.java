@@ -11,6 +11,7 @@ import java.util.stream.Collectors;
 import org.robotui.roblets.wire.BodyDatagram;
 import org.robotui.sim.internal.roblets.BoatDemo;
 import org.robotui.sim.internal.swarm.Swarm;
+import org.robotui.sim.internal.yarp.HumanoidDemo;
 
 /** Starts the demo robot as a program of its own. */
 public final class Main {
@@ -70,6 +71,12 @@ public final class Main {
       BoatDemo boat = BoatDemo.start(options.robletsPort(), options.seed());
       ready(Map.of(BodyDatagram.BRAIN_VARIABLE, boat.address()), boat, boat::end, parent, out);
       boat.awaitEnd();
+      return 0;
+    }
+    if (options.humanoid().isPresent()) {
+      HumanoidDemo humanoid = HumanoidDemo.start(options.humanoid().get(), options.yarpPort());
+      ready(Map.of("YARP_NAMESERVER", humanoid.address()), humanoid, humanoid::end, parent, out);
+      humanoid.awaitEnd();
       return 0;
     }
     Demo demo = Demo.start(options);

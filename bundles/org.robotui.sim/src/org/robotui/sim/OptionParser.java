@@ -46,6 +46,8 @@ final class OptionParser {
   private OptionalLong parent = OptionalLong.empty();
   private int swarm;
   private boolean boat;
+  private boolean humanoid;
+  private Optional<Path> urdf = Optional.empty();
 
   OptionParser(List<String> arguments) {
     this.arguments = arguments;
@@ -59,9 +61,13 @@ final class OptionParser {
       throw new IllegalArgumentException(
           "--speak lcm needs --lcm-types, the folder with the .lcm files of the package robotui");
     }
+    if (humanoid && urdf.isEmpty()) {
+      throw new IllegalArgumentException("--humanoid needs --urdf, the file that says how it is built");
+    }
     RosOptions ros = new RosOptions(port, namespace, name, realMaster, simTime, rosArguments);
     return new Options(robot, speaks, ros, new DomainOptions(domain, subnet), playerPort, carmenPort, yarpPort,
-        smartsoftPort, robletsPort, roboframePort, lcmUrl, lcmTypes, seed, speedFactor, parent, swarm, boat);
+        smartsoftPort, robletsPort, roboframePort, lcmUrl, lcmTypes, seed, speedFactor, parent, swarm, boat,
+        urdf.filter(file -> humanoid));
   }
 
   private void take(String option) {
@@ -83,6 +89,8 @@ final class OptionParser {
       case "--boat" -> boat = true;
       case "--roboframe-port" -> roboframePort = (int) whole(option, 0, PORTS);
       case "--lcm-url" -> lcmUrl = Optional.of(URI.create(value(option)));
+      case "--humanoid" -> humanoid = true;
+      case "--urdf" -> urdf = Optional.of(Path.of(value(option)));
       case "--lcm-types" -> lcmTypes = Optional.of(Path.of(value(option)));
       case "--seed" -> seed = whole(option, Long.MIN_VALUE, Long.MAX_VALUE);
       case "--speed-factor" -> speedFactor = factor(option);

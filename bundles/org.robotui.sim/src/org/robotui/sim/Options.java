@@ -31,6 +31,7 @@ import org.robotui.sim.internal.ros2.DomainOptions;
  * @param parent a process with which the robot ends
  * @param swarm how many cheap robots to start in place of one; 0 for the one
  * @param boat whether to start a boat of roblets in place of the robot
+ * @param humanoid the URDF of a humanoid of YARP to start in place of the robot
  */
 record Options(
     RobotModel robot,
@@ -49,7 +50,8 @@ record Options(
     double speedFactor,
     OptionalLong parent,
     int swarm,
-    boolean boat) {
+    boolean boat,
+    Optional<Path> humanoid) {
   static final String USAGE =
       """
       Usage: org.robotui.sim.Main [OPTION]... [FROM:=TO]... [_PARAMETER:=VALUE]...
@@ -78,6 +80,8 @@ record Options(
         --carmen-port N     port of the central on loopback; 0, the default, takes a free one
       For YARP:
         --yarp-port N       port of the name server on loopback; 0, the default, takes a free one
+        --humanoid          a humanoid with a control board for each group of its SRDF, in place of the robot
+        --urdf FILE         how it is built; the SRDF of the same name lies beside it
       For SmartSoft:
         --smartsoft-port N  port of the naming service on loopback; 0, the default, takes a free one
       For roblets:

@@ -34,7 +34,7 @@ class OptionsTest {
         "--port", "11311", "--namespace", "/keira/", "--name", "base", "--seed", "-7", "--speed-factor", "2.5",
         "--real-master", "http://localhost:11311", "--sim-time", "--parent", "4711", "--swarm", "12",
         "plan:=/move_base/plan", "--yarp-port", "10009", "--smartsoft-port", "20003", "--roblets-port", "7853",
-        "--roboframe-port", "7421", "--boat",
+        "--roboframe-port", "7421", "--boat", "--humanoid", "--urdf", "humanoid.urdf",
         "--robot", "Keira", "--speak", "player,lcm", "--player-port", "6665", "--carmen-port", "1382", "--lcm-url",
         "udpm://239.1.1.1:7000",
         "--lcm-types", "types", "--domain", "42", "--subnet"));
@@ -46,7 +46,8 @@ class OptionsTest {
             Robots.KEIRA, Set.of(Options.Speech.PLAYER, Options.Speech.LCM), ros,
             new DomainOptions(OptionalInt.of(42), true), 6665, 1382, 10009, 20_003, 7853, 7421,
             Optional.of(URI.create("udpm://239.1.1.1:7000")),
-            Optional.of(Path.of("types")), -7, 2.5, OptionalLong.of(4711), 12, true),
+            Optional.of(Path.of("types")), -7, 2.5, OptionalLong.of(4711), 12, true,
+            Optional.of(Path.of("humanoid.urdf"))),
         options);
   }
 
@@ -61,6 +62,7 @@ class OptionsTest {
     assertMistake("natalie, keira", "--robot", "otto");
     assertMistake("'corba'", "--speak", "ros,corba");
     assertMistake("--lcm-types", "--speak", "lcm");
+    assertMistake("--urdf", "--humanoid");
     assertMistake("'--colour'", "--colour", "red");
     assertMistake("'stray'", "stray");
   }

@@ -36,6 +36,7 @@ final class CheckPrinter {
   void reuse(ReuseReport report, Optional<String> format) {
     if (report.ruics().size() > 1 || format.isPresent()) {
       out.println(report.summary());
+      new Differences(report).sentences().forEach(out::println);
     }
     format.ifPresent(f -> out.print("\n" + ("csv".equals(f) ? report.csv() : report.markdown())));
   }

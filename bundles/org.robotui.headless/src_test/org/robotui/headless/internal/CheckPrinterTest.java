@@ -7,6 +7,7 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.robotui.api.host.CheckReport;
 import org.robotui.api.host.Match;
@@ -45,6 +46,30 @@ class CheckPrinterTest {
 
     assertEquals(List.of("ros.yaml:3:5: error: unknown word 'veiws', write 'views'",
         "no connections; 1 error, no warnings"), print(new CheckReport(List.of(problem), Map.of(), ReuseReport.EMPTY)));
+  }
+
+  @Test
+  void robotUisOfOneTypeDifferByWhatSpeaksToTheirRobots() {
+    List<String> both = List.of("Natalie", "Keira");
+    ReuseReport.Row type = row(ReuseReport.Kind.RUIC, "ruic.mobilebase", both);
+    ReuseReport.Row map = row(ReuseReport.Kind.UIC, "uic.map", both);
+    ReuseReport.Row ros = row(ReuseReport.Kind.RFIC, "rfic.ros", List.of("Natalie", "Team"));
+    ReuseReport.Row gps = row(ReuseReport.Kind.UIC, "uic.gps", List.of("Keira"));
+
+    assertEquals("Natalie and Keira differ only by rfic.ros: none of them is a view", differences(type, map, ros));
+    assertEquals("Natalie and Keira differ only by rfic.ros, uic.gps", differences(type, map, ros, gps));
+    assertEquals("Natalie and Keira use the same bundles", differences(type, map));
+  }
+
+  private static ReuseReport.Row row(ReuseReport.Kind kind, String bundle, List<String> users) {
+    return new ReuseReport.Row(kind, bundle, bundle, users);
+  }
+
+  private static String differences(ReuseReport.Row... rows) {
+    ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+    new CheckPrinter(new PrintStream(bytes, true, StandardCharsets.UTF_8))
+        .reuse(new ReuseReport(List.of("Natalie", "Keira", "Team"), List.of(rows)), Optional.empty());
+    return bytes.toString(StandardCharsets.UTF_8).lines().toList().getLast();
   }
 
   private static Match match(

@@ -8,7 +8,8 @@ import org.robotui.api.link.LinkState;
 
 /** What is said of the link. */
 final class LinkClauses {
-  private static final Duration A_WHILE = Duration.ofSeconds(3);
+  /** A link that is claimed though nothing answers is claimed with the first attempt. */
+  private static final Duration A_WHILE = Duration.ofSeconds(1);
 
   private LinkClauses() {}
 

@@ -25,10 +25,19 @@ record AutomaticMatch(Want want, List<Have> haves, List<Supplier> suppliers) {
   }
 
   private Match oneOf(List<Have> fitting) {
-    List<Have> named = fitting.stream().filter(this::hasMyName).toList();
+    List<Have> named = nearest(fitting.stream().filter(this::hasMyName).toList());
     return named.size() == 1
         ? connect(named, "of " + fitting.size() + " ports of this type, the one named '" + want.port().name() + "'")
         : ambiguous(fitting, named.isEmpty() ? fitting : named);
+  }
+
+  /**
+   * Where the ports of one interface end with the name, that which is called so and nothing else stands for the others.
+   */
+  private List<Have> nearest(List<Have> named) {
+    List<Have> whole = named.stream().filter(h -> h.port().name().equals(want.port().name())).toList();
+    boolean together = named.stream().map(h -> h.id().component()).distinct().count() == 1;
+    return together && whole.size() == 1 ? whole : named;
   }
 
   private boolean hasMyName(Have have) {

@@ -167,6 +167,15 @@ class MatcherTest {
   }
 
   @Test
+  void ofSeveralThatEndWithTheNameTheOneThatIsCalledSoIsTakenWithinOneInterface() {
+    offers("base.scan", LaserScan.class).offers("base.front/scan", LaserScan.class);
+    assertConnected(match(Samples.SCAN), "base.scan");
+    suppliers.add(new Supplier("other", true, ""));
+    offers("other.rear/scan", LaserScan.class);
+    assertState(MatchState.AMBIGUOUS, "3 are of this type", match(Samples.SCAN));
+  }
+
+  @Test
   void severalWithoutADifferenceAreAmbiguousAndTheLineThatDecidesIsTold() {
     Match match = offers("base.front", LaserScan.class).offers("base.rear", LaserScan.class).match(Samples.SCAN);
     assertState(MatchState.AMBIGUOUS, "Write under 'connect':  map.scan: base.front", match);

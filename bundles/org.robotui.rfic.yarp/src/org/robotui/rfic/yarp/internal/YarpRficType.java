@@ -6,8 +6,10 @@ import org.robotui.api.Descriptor;
 import org.robotui.api.Rfic;
 import org.robotui.api.RficContext;
 import org.robotui.api.RficType;
+import org.robotui.api.config.SettingFault;
 import org.robotui.api.config.Settings;
 import org.robotui.rfic.yarp.internal.call.YarpPorts;
+import org.robotui.rfic.yarp.internal.feed.ModelFile;
 
 /** The type {@code yarp}: the ports that a name server of YARP knows. */
 @Component(service = RficType.class)
@@ -20,6 +22,12 @@ public final class YarpRficType implements RficType {
   @Override
   public Descriptor descriptor() {
     return DESCRIPTOR;
+  }
+
+  @Override
+  public List<SettingFault> faults(Settings settings) {
+    return YarpSettings.urdf(settings).stream()
+        .flatMap(file -> ModelFile.of(file).fault().map(file::fault).stream()).toList();
   }
 
   @Override

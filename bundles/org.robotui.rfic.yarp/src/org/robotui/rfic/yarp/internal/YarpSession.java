@@ -13,17 +13,22 @@ import java.util.function.BooleanSupplier;
 import org.robotui.api.RficContext;
 import org.robotui.api.link.LinkState;
 import org.robotui.api.link.Pulse;
+import org.robotui.api.port.Arity;
 import org.robotui.api.port.Offer;
+import org.robotui.api.port.Publication;
+import org.robotui.api.port.StreamPort;
 import org.robotui.api.session.LinkChanges;
 import org.robotui.api.session.PlacedFrames;
 import org.robotui.api.session.RobotFrames;
 import org.robotui.api.session.RobotSession;
+import org.robotui.data.joint.RobotDescription;
 import org.robotui.net.call.Outcome;
 import org.robotui.net.socket.HostPort;
 import org.robotui.net.thread.Workers;
 import org.robotui.rfic.yarp.internal.call.YarpBrowser;
 import org.robotui.rfic.yarp.internal.call.YarpCalls;
 import org.robotui.rfic.yarp.internal.call.YarpPorts;
+import org.robotui.rfic.yarp.internal.feed.ModelFile;
 import org.robotui.rfic.yarp.internal.feed.Wires;
 import org.robotui.rfic.yarp.internal.feed.YarpDevices;
 import org.robotui.yarp.name.NameClient;
@@ -53,6 +58,7 @@ final class YarpSession implements RobotSession {
   private final HostPort where;
   private final Offer services;
   private final Offer graph;
+  private final Optional<Publication<RobotDescription>> description;
   private volatile boolean closed;
   private long discoverAt = System.nanoTime(); // only on the thread that follows, as the following
   private long pingAt = System.nanoTime();
@@ -75,6 +81,18 @@ final class YarpSession implements RobotSession {
     this.where = new HostPort(near.getHostAddress(), port.port());
     this.services = context.offers().call(YarpPorts.SERVICES, new YarpCalls(wires, devices));
     this.graph = context.offers().browse(YarpPorts.GRAPH, new YarpBrowser(wires, devices));
+    this.description = settings.model().map(model -> describe(context, model));
+  }
+
+  private static Publication<RobotDescription> describe(RficContext context, ModelFile model) {
+    Publication<RobotDescription> publication = context.offers().stream(new StreamPort<>("robot_description",
+        RobotDescription.class, Arity.MANY, "how the robot is built, by the file of the configuration"), now -> {});
+    try {
+      publication.publish(model.read(context.robot()), Optional.empty());
+    } catch (IOException | IllegalArgumentException e) {
+      publication.failed(String.valueOf(e.getMessage()));
+    }
+    return publication;
   }
 
   @Override
@@ -145,6 +163,7 @@ final class YarpSession implements RobotSession {
     closed = true;
     services.close();
     graph.close();
+    description.ifPresent(Publication::close);
     List<Runnable> goodbyes = new ArrayList<>(devices.farewells());
     devices.close();
     goodbyes.add(this::forget);

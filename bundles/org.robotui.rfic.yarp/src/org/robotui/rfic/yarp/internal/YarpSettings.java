@@ -2,6 +2,8 @@ package org.robotui.rfic.yarp.internal;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Optional;
+import org.robotui.api.config.Placed;
 import org.robotui.api.config.Schema;
 import org.robotui.api.config.Setting;
 import org.robotui.api.config.Settings;
@@ -9,6 +11,7 @@ import org.robotui.api.config.TextRule;
 import org.robotui.api.config.ValueType;
 import org.robotui.api.session.BaseFrames;
 import org.robotui.net.socket.HostPort;
+import org.robotui.rfic.yarp.internal.feed.ModelFile;
 import org.robotui.rfic.yarp.internal.feed.StreamCarrier;
 import org.robotui.rfic.yarp.internal.feed.YarpDevice;
 import org.robotui.yarp.wire.YarpFraming;
@@ -22,10 +25,12 @@ import org.robotui.yarp.wire.YarpFraming;
  * @param carriers by which ports shall say theirs that are named
  * @param types what ports are, where their names do not tell
  * @param frames how the frames are called that carry all others
+ * @param model the file that says how the robot is built
  */
 public record YarpSettings(HostPort server, String prefix, StreamCarrier carrier, Map<String, StreamCarrier> carriers,
-    Map<String, YarpDevice> types, BaseFrames frames) {
+    Map<String, YarpDevice> types, BaseFrames frames, Optional<ModelFile> model) {
 
+  static final String URDF = "urdf";
   private static final String VARIABLE = "YARP_NAMESERVER";
   private static final int LAST_PORT = 0xffff;
   private static final TextRule PREFIX =
@@ -45,6 +50,8 @@ public record YarpSettings(HostPort server, String prefix, StreamCarrier carrier
           "by which single ports say theirs, by their names"),
       Setting.of("types", new ValueType.MapOf(new ValueType.Choice(YarpDevice.words())), Map.of(),
           "what ports are, by their names, where the names do not tell"),
+      Setting.optional(URDF, new ValueType.WithPlace(new ValueType.Text()),
+          "a file that says how the robot is built, relative to this file; an .srdf of the same name beside it is read, too"),
       BaseFrames.BASE, BaseFrames.ODOM, BaseFrames.MAP);
 
   static YarpSettings of(Settings settings, Map<String, String> variables) {
@@ -58,7 +65,11 @@ public record YarpSettings(HostPort server, String prefix, StreamCarrier carrier
     settings.map("carriers")
         .forEach((name, word) -> carriers.put(String.valueOf(name), StreamCarrier.of(String.valueOf(word))));
     return new YarpSettings(server, settings.text("prefix"), StreamCarrier.of(settings.text("carrier")),
-        Map.copyOf(carriers), Map.copyOf(types), BaseFrames.of(settings));
+        Map.copyOf(carriers), Map.copyOf(types), BaseFrames.of(settings), urdf(settings).map(ModelFile::of));
+  }
+
+  static Optional<Placed> urdf(Settings settings) {
+    return settings.has(URDF) ? Optional.of((Placed) settings.values().get(URDF)) : Optional.empty();
   }
 
   /**

@@ -9,6 +9,7 @@ import java.util.concurrent.ThreadFactory;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.function.Supplier;
 import javax.net.SocketFactory;
 import org.robotui.net.socket.HostPort;
 import org.robotui.yarp.bottle.Bottle;
@@ -68,6 +69,25 @@ final class YarpBench implements AutoCloseable {
 
   void say(String name, Bottle what, double seconds) {
     ports.get(name).say(what, Optional.of(new YarpStamp(sequence.incrementAndGet(), seconds)));
+  }
+
+  void sayIfHeard(String name, Supplier<Bottle> what, double seconds) {
+    if (isHeard(name)) {
+      say(name, what.get(), seconds);
+    }
+  }
+
+  /** The four ports of a control board. */
+  void board(String part, ControlBoard board) throws IOException {
+    says(part + "/state:o");
+    says(part + "/stateExt:o");
+    asked(part + "/rpc:i", asked -> board.asked(asked.bottle()));
+    hears(part + "/command:i", told -> board.told(told.bottle()));
+  }
+
+  void say(String part, ControlBoard board, double seconds) {
+    sayIfHeard(part + "/state:o", board::positions, seconds);
+    sayIfHeard(part + "/stateExt:o", board::extended, seconds);
   }
 
   @Override

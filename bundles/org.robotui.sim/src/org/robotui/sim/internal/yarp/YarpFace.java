@@ -40,7 +40,7 @@ public final class YarpFace implements Face {
 
   /** What there is once the robot is shown. */
   private record Shown(SimulatedRobot robot, YarpBench bench, YarpSayings says, CameraRenderer studio,
-      Optional<HeadBoard> head) {}
+      Optional<ControlBoard> head) {}
 
   /** @param port where the name server listens; 0 for a free one */
   public YarpFace(int port, ThreadFactory threads) {
@@ -62,12 +62,9 @@ public final class YarpFace implements Face {
     bench.asked("laser/rpc:i", YarpFace::nak);
     bench.asked("base/rpc:i", asked -> velocity(robot, asked));
     bench.hears("base/data:i", told -> drive(robot, told.bottle()));
-    Optional<HeadBoard> head = robot.state().head().map(at -> new HeadBoard(robot));
+    Optional<ControlBoard> head = robot.state().head().map(at -> new ControlBoard(new HeadJoints(robot)));
     if (head.isPresent()) {
-      bench.says("head/state:o");
-      bench.says("head/stateExt:o");
-      bench.asked("head/rpc:i", asked -> head.get().asked(asked.bottle()));
-      bench.hears("head/command:i", told -> head.get().told(told.bottle()));
+      bench.board("head", head.get());
     }
     shown = Optional.of(new Shown(robot, bench, new YarpSayings(robot),
         new CameraRenderer(robot.simulation().world(), robot.model().lens()), head));
@@ -109,10 +106,7 @@ public final class YarpFace implements Face {
     say(all.robot().sensors().isScanDue(step), bench, "laser", now,
         () -> all.says().scan(all.robot().sensors().scan(step)));
     if (HEAD.isDue(step)) {
-      all.head().ifPresent(board -> {
-        say(true, bench, "head/state:o", now, () -> board.positions(state));
-        say(true, bench, "head/stateExt:o", now, () -> board.extended(state));
-      });
+      all.head().ifPresent(board -> bench.say("head", board, now));
     }
     if (CAMERA.isDue(step) && bench.isHeard("camera")) {
       all.studio().offer(state, shot -> bench.say("camera", YarpImage.of("rgb", 3, all.studio().lens().width(),
@@ -121,8 +115,8 @@ public final class YarpFace implements Face {
   }
 
   private static void say(boolean due, YarpBench bench, String name, double now, Supplier<Bottle> what) {
-    if (due && bench.isHeard(name)) {
-      bench.say(name, what.get(), now);
+    if (due) {
+      bench.sayIfHeard(name, what, now);
     }
   }
 

@@ -100,12 +100,10 @@ public record BoardModel(String chain, List<JointModel.Joint> joints) {
           si(i, columns.value(VELOCITY, i)), si(i, columns.value(MOTOR_VELOCITY, i)), columns.value(TORQUE, i),
           Double.NaN, Double.NaN);
       String mode = columns.mode(i);
-      boolean limp = mode.equals("idl") || mode.equals("hwfa");
       all.add(new JointControl.Joint(joints.get(i).name(), measured,
           new JointControl.Reference(target == null ? position : target, 0, 0, 0, 0), drivenBy(mode),
           target != null ? JointControl.Source.COMMANDED
-              : limp ? JointControl.Source.FREE
-                  : JointControl.Source.HOLDING,
+              : mode.equals("hwfa") ? JointControl.Source.SAFE : JointControl.Source.FREE,
           target != null ? "robotui" : "", 0, 0, 0));
     }
     return new JointControl(all);

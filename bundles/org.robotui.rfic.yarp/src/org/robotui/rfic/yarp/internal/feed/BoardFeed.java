@@ -2,10 +2,12 @@ package org.robotui.rfic.yarp.internal.feed;
 
 import java.io.IOException;
 import java.time.Duration;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Supplier;
 import org.robotui.api.port.Arity;
 import org.robotui.api.port.CommandPort;
+import org.robotui.api.port.CommandSink;
 import org.robotui.api.port.Offer;
 import org.robotui.data.joint.JointCommand;
 import org.robotui.data.joint.JointControl;
@@ -20,7 +22,7 @@ import org.robotui.yarp.bottle.Bottle;
  * joints, which are asked for first; a board that does not answer has joints with numbers from then on, as names that
  * change would be joints that are no more.
  */
-final class BoardFeed implements AutoCloseable {
+final class BoardFeed implements BoardPart, AutoCloseable {
   private static final long AGAIN_NANOS = Duration.ofSeconds(5).toNanos();
 
   private final Wires wires;
@@ -36,12 +38,17 @@ final class BoardFeed implements AutoCloseable {
   private boolean said;
   private long askedAt = System.nanoTime() - AGAIN_NANOS; // only on the thread that follows
 
-  BoardFeed(Wires wires, PortFeed feed, String port, String chain, Supplier<Optional<HostPort>> rpc) {
+  BoardFeed(Wires wires, PortFeed feed, String port, String chain, Supplier<Optional<HostPort>> rpc, BodyFeed body) {
     this.wires = wires;
     this.feed = feed;
     this.chain = chain;
     this.rpc = rpc;
-    feed.offer(port, JointState.class, "its joints", (m, stamp) -> known(m).map(board -> board.state(m)));
+    feed.offer(port, JointState.class, "its joints", (m, stamp) -> known(m).map(board -> {
+      JointState state = board.state(m);
+      body.said(this, m, stamp);
+      return state;
+    }));
+    feed.alsoWanted(body::demanded);
     this.driver = new BoardDriver(wires, () -> rpc.get().orElseThrow(), () -> model);
     feed.offer(chain + "/control", JointControl.class, "how its joints are driven",
         (m, stamp) -> known(m).map(board -> {
@@ -69,6 +76,21 @@ final class BoardFeed implements AutoCloseable {
     return model;
   }
 
+  @Override
+  public Optional<BoardModel> model() {
+    return model;
+  }
+
+  @Override
+  public Map<Integer, Double> targets() {
+    return driver.targets();
+  }
+
+  @Override
+  public CommandSink<JointCommand> driver() {
+    return driver;
+  }
+
   /** Asks for the joints when somebody begins to look at them; blocks. */
   void tick() {
     offerCommands();
@@ -84,7 +106,7 @@ final class BoardFeed implements AutoCloseable {
     }
     boolean looked = models.demanded();
     if (looked && !said) {
-      model.ifPresent(board -> models.publish(board.model()));
+      model.ifPresent(board -> models.publish(board.model(), Optional.empty()));
     }
     said = looked && model.isPresent();
   }

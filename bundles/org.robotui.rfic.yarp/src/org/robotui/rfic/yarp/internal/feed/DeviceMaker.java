@@ -36,6 +36,7 @@ final class DeviceMaker implements AutoCloseable {
   private final NavigationMaker navigation;
   private final List<Offer> commands = new CopyOnWriteArrayList<>();
   private final List<BoardFeed> boards = new CopyOnWriteArrayList<>();
+  private final BodyFeed body;
   private final Set<String> taken = new HashSet<>(Set.of("tf")); // only on the thread that follows
   private volatile Optional<RigidTransform> odometry = Optional.empty();
 
@@ -43,6 +44,8 @@ final class DeviceMaker implements AutoCloseable {
     this.wires = wires;
     this.devices = devices;
     this.frames = wires.frames();
+    this.body = new BodyFeed(wires);
+    taken.addAll(BodyFeed.NAMES);
     this.navigation = new NavigationMaker(wires, devices, place -> located(place, Optional.empty()));
   }
 
@@ -113,8 +116,9 @@ final class DeviceMaker implements AutoCloseable {
     chain = taken.add(chain + "/control") && taken.add(chain + "/model") ? chain : device;
     PortFeed feed = new PortFeed(wires, name, address(name), false, told(name));
     BoardFeed board = new BoardFeed(wires, feed, free(wires.port(name), name), chain,
-        () -> devices.address(device + "/rpc:i"));
+        () -> devices.address(device + "/rpc:i"), body);
     boards.add(board);
+    body.add(board);
     devices.add(board);
     devices.add(name, feed);
   }
@@ -151,11 +155,13 @@ final class DeviceMaker implements AutoCloseable {
   /** Asks boards for what they do not say by themselves; may block. */
   void tick() {
     boards.forEach(BoardFeed::tick);
+    body.tick();
   }
 
   @Override
   public void close() {
     navigation.close();
+    body.close();
     commands.forEach(Offer::close);
   }
 }

@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.BooleanSupplier;
 import org.robotui.api.port.RawMessage;
 import org.robotui.api.port.RawOrigin;
 import org.robotui.data.Data;
@@ -30,6 +31,7 @@ final class PortFeed implements AutoCloseable {
   private final boolean placed;
   private final PortAsking asking;
   private final List<PortOutlet<?>> outlets = new CopyOnWriteArrayList<>();
+  private final List<BooleanSupplier> others = new CopyOnWriteArrayList<>();
   private volatile HostPort where;
   private volatile boolean asked;
   private volatile boolean closed;
@@ -51,12 +53,18 @@ final class PortFeed implements AutoCloseable {
     return outlet;
   }
 
+  /** What it says is wanted by others, too, while they say so. */
+  void alsoWanted(BooleanSupplier other) {
+    others.add(other);
+  }
+
   void at(HostPort now) {
     where = now;
   }
 
   boolean wanted() {
-    return !closed && outlets.stream().anyMatch(PortOutlet::demanded);
+    return !closed
+        && (outlets.stream().anyMatch(PortOutlet::demanded) || others.stream().anyMatch(BooleanSupplier::getAsBoolean));
   }
 
   boolean placedAndWanted() {

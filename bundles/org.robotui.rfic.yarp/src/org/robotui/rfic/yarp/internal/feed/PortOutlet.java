@@ -52,8 +52,8 @@ final class PortOutlet<D extends Data> implements AutoCloseable {
     }
   }
 
-  void publish(D value) {
-    publication.publish(value, Optional.empty());
+  void publish(D value, Optional<Stamp> stamp) {
+    publication.publish(value, stamp);
   }
 
   void lost(String reason) {

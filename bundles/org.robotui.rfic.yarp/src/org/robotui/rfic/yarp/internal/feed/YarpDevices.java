@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeSet;
 import java.util.concurrent.ConcurrentSkipListMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.robotui.net.call.Outcome;
@@ -57,7 +58,7 @@ public final class YarpDevices implements PortReader, AutoCloseable {
     addresses.putAll(there);
     there.forEach((name, where) -> Optional.ofNullable(feeds.get(name)).ifPresent(feed -> feed.at(where)));
     Set<String> all = Set.copyOf(there.keySet());
-    for (String name : seen) {
+    for (String name : new TreeSet<>(seen)) {
       if (all.contains(name) && !kinds.containsKey(name)) {
         kinds.put(name, found(name, YarpDevice.of(name, all, wires.settings().types())));
       }
