@@ -84,7 +84,7 @@ public final class BridgeRunner implements AutoCloseable {
   }
 
   private List<CarriedWay> ways(BridgeConfig config) {
-    if (config.settings().text("kind").equals(BridgeWords.SERVICE)) {
+    if (!config.settings().text("kind").equals(BridgeWords.VALUES)) {
       return List.of(new ServiceWay(config, surroundings));
     }
     BridgeWay forth = new BridgeWay(config, Direction.FORTH, surroundings);

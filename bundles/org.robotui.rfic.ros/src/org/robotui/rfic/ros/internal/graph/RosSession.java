@@ -16,12 +16,14 @@ import org.robotui.message.MessageRegistry;
 import org.robotui.message.topic.ActionCalls;
 import org.robotui.message.topic.DescriptionPort;
 import org.robotui.message.topic.RobotTopics;
+import org.robotui.message.topic.ServedActions;
 import org.robotui.message.topic.ServedServices;
 import org.robotui.message.topic.TopicClient;
 import org.robotui.message.topic.TopicGraph;
 import org.robotui.message.topic.TopicPorts;
 import org.robotui.net.call.Outcome;
 import org.robotui.rfic.ros.internal.RosSettings;
+import org.robotui.rfic.ros.internal.call.RosActionHosting;
 import org.robotui.rfic.ros.internal.call.RosActionRoute;
 import org.robotui.rfic.ros.internal.call.RosBrowser;
 import org.robotui.rfic.ros.internal.call.RosHosting;
@@ -31,6 +33,7 @@ import org.robotui.rfic.ros.internal.convert.RecordDecoder;
 import org.robotui.ros.GraphName;
 import org.robotui.ros.NodeOptions;
 import org.robotui.ros.RosNode;
+import org.robotui.ros.action.ActionWire;
 
 /** One open node, and all that is offered through it. */
 public final class RosSession implements RobotSession {
@@ -48,6 +51,8 @@ public final class RosSession implements RobotSession {
   private final Offer services;
   private final ServedServices served;
   private final Offer serve;
+  private final ServedActions<ActionWire> servedActions;
+  private final Offer serveAction;
   private final ActionCalls actions;
   private final Offer goals;
   private final RosTunables tunables;
@@ -79,6 +84,8 @@ public final class RosSession implements RobotSession {
     this.services = context.offers().call(TopicPorts.SERVICES, new RosServices(node, registry));
     this.served = new ServedServices(new RosHosting(node, registry), settings.topics());
     this.serve = context.offers().call(TopicPorts.SERVE, served);
+    this.servedActions = new ServedActions<>(new RosActionHosting(node, registry), settings.topics());
+    this.serveAction = context.offers().call(TopicPorts.SERVE_ACTION, servedActions);
     this.actions = new ActionCalls(action -> RosActionRoute.open(node, action, registry, context.threads()));
     this.goals = context.offers().call(TopicPorts.ACTIONS, actions);
     this.tunables = new RosTunables(node);
@@ -97,6 +104,7 @@ public final class RosSession implements RobotSession {
       }
       topics.tick();
       served.tick();
+      servedActions.tick();
       description.tick();
       tunables.tick();
       try {
@@ -134,6 +142,8 @@ public final class RosSession implements RobotSession {
     services.close();
     serve.close();
     served.close();
+    serveAction.close();
+    servedActions.close();
     goals.close();
     actions.close();
     tunables.close();
