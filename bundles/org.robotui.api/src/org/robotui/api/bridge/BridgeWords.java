@@ -26,6 +26,9 @@ public final class BridgeWords {
   /** A bridge that offers an action of one robot to the programs of another one. */
   public static final String ACTION = "action";
 
+  /** A bridge that keeps a parameter of one robot equal to one of another robot. */
+  public static final String PARAMETER = "parameter";
+
   private static final double LONGEST_SHIFT = 1e9;
   private static final TextRule END =
       TextRule.matching("a port of a robot, such as Natalie.scan or Natalie.base.scan", "[^.\\s][^.]*\\..*\\S");
@@ -44,9 +47,9 @@ public final class BridgeWords {
           + " several, and port"),
       Setting.required("to", PLACED_END, "where they go: a port for commands, or a topic or channel, which is offered"
           + " where nobody has it"),
-      Setting.of("kind", new ValueType.Choice(List.of(VALUES, SERVICE, ACTION)), VALUES,
+      Setting.of("kind", new ValueType.Choice(List.of(VALUES, SERVICE, ACTION, PARAMETER)), VALUES,
           "what is carried: values, or calls of a service or goals of an action, which is offered to the programs of"
-              + " 'from' and answered by that of 'to'"),
+              + " 'from' and answered by that of 'to'; or a parameter, which is set at 'to' as it is at 'from'"),
       Setting.of("both", new ValueType.Flag(), false, "whether values go the other way as well"),
       Setting.optional("type", new ValueType.Text(TYPE),
           "the type of the messages that are sent; without it, what the topic carries, or what usually carries such values"),

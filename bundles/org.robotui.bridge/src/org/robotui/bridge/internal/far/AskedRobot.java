@@ -86,9 +86,7 @@ public final class AskedRobot {
    * @throws CallException where neither is there, with what is
    */
   public Found find(Kind kind, boolean typed) throws CallException {
-    Optional<Browser> browser = ruic.snapshot().ports().stream()
-        .filter(port -> port.kind() == PortKind.BROWSE && port.port().component().equals(end.port().component()))
-        .flatMap(port -> access.browser(port.port()).stream()).findFirst();
+    Optional<Browser> browser = NamedItem.browser(end, ruic, access);
     if (browser.isEmpty()) {
       boolean meant = access.port(PortKind.CALL, port(kind == Kind.ACTION ? ACTIONS : SERVICES)).isPresent();
       return new Found(meant ? kind : NamedItem.other(kind), end.port().port(), "");

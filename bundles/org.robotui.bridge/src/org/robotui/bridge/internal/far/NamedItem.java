@@ -1,12 +1,16 @@
 package org.robotui.bridge.internal.far;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
 import org.robotui.api.bridge.BridgeEnd;
+import org.robotui.api.host.PortAccess;
+import org.robotui.api.host.Ruic;
 import org.robotui.api.port.Browser;
 import org.robotui.api.port.Browser.Item;
 import org.robotui.api.port.Browser.Kind;
 import org.robotui.api.port.CallException;
+import org.robotui.api.port.PortKind;
 
 /**
  * Finds what a bridge asks among what a robot can be asked.
@@ -15,6 +19,13 @@ import org.robotui.api.port.CallException;
  * @param browser lists what there is
  */
 record NamedItem(BridgeEnd end, Browser browser) {
+
+  /** What lists the things of the robot at an end of a bridge. */
+  static Optional<Browser> browser(BridgeEnd end, Ruic ruic, PortAccess access) {
+    return ruic.snapshot().ports().stream()
+        .filter(port -> port.kind() == PortKind.BROWSE && port.port().component().equals(end.port().component()))
+        .flatMap(port -> access.browser(port.port()).stream()).findFirst();
+  }
 
   /** One of a kind; of the other one where none of that has the name. */
   Item find(Kind kind) throws CallException {

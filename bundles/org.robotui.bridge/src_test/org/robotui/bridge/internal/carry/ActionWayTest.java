@@ -45,7 +45,7 @@ class ActionWayTest {
   private final List<String> told = new ArrayList<>();
 
   private static MapRecord record(String type, String field, double value) {
-    return new MapRecord(type, Map.of(field, new FieldValue.Num(value, Double.toString(value))));
+    return new MapRecord(type, Map.of(field, new FieldValue.Num(value, Long.toString((long) value))));
   }
 
   @BeforeEach

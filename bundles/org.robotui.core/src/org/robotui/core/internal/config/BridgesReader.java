@@ -3,10 +3,12 @@ package org.robotui.core.internal.config;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.robotui.api.bridge.BridgeConfig;
 import org.robotui.api.bridge.BridgeEnd;
 import org.robotui.api.bridge.BridgeWords;
@@ -21,11 +23,13 @@ final class BridgesReader {
   private static final List<String> NOT_OF_CALLS =
       List.of("transform", "when", "rate", "keep", "latched", "max_linear", "max_angular");
 
+  private static final List<String> NOT_OF_PARAMETERS = Stream.concat(NOT_OF_CALLS.stream(),
+      Stream.of("type", "fields", "reply", "feedback", "timeout", "frames", "frame_prefix", "lease")).toList();
+
   private final Path file;
   private final Map<String, List<String>> interfaces;
   private final List<Problem> problems;
-  private final BridgeLoops loops = new BridgeLoops();
-  private final BridgeLoops loopsOfServices = new BridgeLoops();
+  private final Map<String, BridgeLoops> loops = new HashMap<>();
 
   /** For a file with these RUICs, each with the ids of its robot interfaces. */
   BridgesReader(Path file, Map<String, List<String>> interfaces, List<Problem> problems) {
@@ -75,14 +79,24 @@ final class BridgesReader {
         new BridgeConfig(file, entry.place().line(), entry.key(), from.get(), to.get(), settings);
     Optional<String> fault = fault(settings)
         .or(() -> BridgeFilters.fault(bridge))
-        .or(() -> (settings.text("kind").equals(BridgeWords.VALUES) ? loops : loopsOfServices).add(bridge));
+        .or(() -> loops.computeIfAbsent(namesOf(settings.text("kind")), names -> new BridgeLoops()).add(bridge));
     fault.ifPresent(f -> problems.add(entry.place().error("the bridge '" + entry.key() + "' " + f)));
     return fault.isEmpty() ? Optional.of(bridge) : Optional.empty();
   }
 
   private static Optional<String> fault(Settings settings) {
     String kind = settings.text("kind");
-    return kind.equals(BridgeWords.VALUES) ? faultOfValues(settings) : faultOfCalls(settings, kind);
+    return switch (kind) {
+      case BridgeWords.VALUES -> faultOfValues(settings);
+      case BridgeWords.PARAMETER -> NOT_OF_PARAMETERS.stream().filter(settings::has).findFirst()
+          .map(word -> "keeps a parameter equal, and '" + word + "' does not go with it; leave it out");
+      default -> faultOfCalls(settings, kind);
+    };
+  }
+
+  /** Topics, services and parameters have names of their own; services and actions answer each other. */
+  private static String namesOf(String kind) {
+    return kind.equals(BridgeWords.ACTION) ? BridgeWords.SERVICE : kind;
   }
 
   private static Optional<String> faultOfCalls(Settings settings, String kind) {
