@@ -29,6 +29,7 @@ import org.robotui.data.record.DynamicRecord;
 
 /** A service or an action between two robot UIs that are there: offered to one, answered by the other. */
 final class ServiceRoute implements AutoCloseable {
+  private static final String CALLS = "services";
   private static final Duration TIMELY = Duration.ofSeconds(5);
 
   private final BridgeConfig config;
@@ -77,8 +78,12 @@ final class ServiceRoute implements AutoCloseable {
   Optional<String> missing() {
     if (near.port(PortKind.CALL, serve).isEmpty()) {
       BridgeEnd from = config.from();
-      return Optional.of("nothing can be offered to '" + from.ruic() + "." + from.port().component()
-          + "' now: its connection is down, or programs of its framework cannot be given services");
+      String who = "'" + from.ruic() + "." + from.port().component() + "'";
+      boolean connected = near.port(PortKind.CALL, new SourceId(from.port().component(), CALLS)).isPresent();
+      return Optional.of(connected
+          ? who + " cannot be offered " + offering.word() + "s: its protocol lets nobody but the robot serve any"
+          : "nothing can be offered to " + who + " now: its connection is down, or programs of its framework cannot be"
+              + " given " + offering.word() + "s");
     }
     return robot.isThere() ? Optional.empty() : Optional.of(robot.missing());
   }
