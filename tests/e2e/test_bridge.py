@@ -102,11 +102,11 @@ def test_clients_of_actionlib_and_rclpy_have_goals_carried_out_by_each_others_se
     old = roscore.start_tool("/usr/bin/python3", PEERS / "rospy_actions.py", "/new/navigate", name="old")
     new = start_rclpy(roscore, "new", "rclpy_actions.py", "/old/move_base")
 
-    said = wait_for(lambda: lines(old) and lines(old)[-1], 120, "the goals of actionlib's client; " + old.err.read_text())
+    said = wait_for(lambda: lines(old) and lines(old)[-1], 240, "the goals of actionlib's client; " + old.err.read_text())
     assert said == {"reached": ["SUCCEEDED", "", [["map", 2.0]]], "cancelled": ["PREEMPTED", "", [["map", 1000.0]]],
                     "rejected": ["REJECTED", said["rejected"][1], []]}
     assert "did not want the goal" in said["rejected"][1]
-    said = wait_for(lambda: lines(new) and lines(new)[-1], 120, "the goals of rclpy's client; " + new.err.read_text())
+    said = wait_for(lambda: lines(new) and lines(new)[-1], 240, "the goals of rclpy's client; " + new.err.read_text())
     assert said == {"reached": ["SUCCEEDED", [["map", 2.0]]], "cancelled": ["CANCELED", [["map", 1000.0]]], "rejected": ["REJECTED", []]}
     wait_for(lambda: line(bridge, "there").get("passed") == 2 and line(bridge, "back").get("passed", 0) >= 2, what="the goals to be counted")
     wait_for(lambda: line(bridge, "there")["control"] == line(bridge, "back")["control"] == "", what="the leases to be given back")

@@ -67,7 +67,7 @@ def main():
     executor.add_node(node)
     spinning = threading.Thread(target=executor.spin, daemon=True)
     spinning.start()
-    if not client.wait_for_server(90):
+    if not client.wait_for_server(180):
         sys.exit("no server")
     print(json.dumps({"reached": ended(client, 2.0), "cancelled": ended(client, 1000.0, True), "rejected": ended(client, -1.0)}), flush=True)
     spinning.join()

@@ -19,7 +19,7 @@ NESTED = (*(f"move_base_msgs/MoveBase{part}" for part in ("ActionGoal", "ActionR
 
 
 def text_of(message):
-    return (DEFINITIONS / f"{message}.msg").read_text()
+    return (DEFINITIONS / f"{message}.msg").read_text() + "\n"         # a result may be empty
 
 
 TYPES = generate_dynamic(ACTION, text_of(ACTION) + "".join(f"{'=' * 80}\nMSG: {each}\n{text_of(each)}" for each in NESTED))
@@ -73,7 +73,7 @@ def main():
     rospy.init_node("actions")
     server = Server()
     client = actionlib.SimpleActionClient(sys.argv[1], TYPES[ACTION])
-    if not client.wait_for_server(rospy.Duration(90)):
+    if not client.wait_for_server(rospy.Duration(180)):
         sys.exit("no server")
     print(json.dumps({"reached": ended(client, 2.0), "cancelled": ended(client, 1000.0, True), "rejected": ended(client, -1.0)}), flush=True)
     rospy.spin()

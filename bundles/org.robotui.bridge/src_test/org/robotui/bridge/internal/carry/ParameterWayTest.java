@@ -39,7 +39,7 @@ class ParameterWayTest {
   }
 
   private static void browse(FakeRuic robot, Map<String, Object> values) {
-    robot.ports(new PortStatus(GRAPH, PortKind.BROWSE, "", false, 0, 0, Double.NaN, false, 0, "", ""));
+    robot.offering(new PortStatus(GRAPH, PortKind.BROWSE, "", false, 0, 0, Double.NaN, false, 0, "", ""));
     robot.ports().browse(GRAPH, new Parameters(values));
   }
 
