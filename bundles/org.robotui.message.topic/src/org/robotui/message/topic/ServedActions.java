@@ -1,6 +1,7 @@
 package org.robotui.message.topic;
 
 import java.util.Optional;
+import java.util.Set;
 import org.robotui.api.port.ActionOffer;
 import org.robotui.api.port.ActionReply;
 import org.robotui.api.port.CallException;
@@ -106,6 +107,15 @@ public final class ServedActions<T> implements CallHandler<ActionOffer, ServiceG
   /** Gives up what is not offered any more, and tells how goals stand. To be called at least five times a second. */
   public void tick() {
     served.tick(ActionHosting.Hosted::tick);
+  }
+
+  /**
+   * What is offered now.
+   *
+   * @return the whole names of the actions
+   */
+  public Set<String> names() {
+    return served.names();
   }
 
   @Override

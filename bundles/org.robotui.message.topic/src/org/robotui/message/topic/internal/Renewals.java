@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import org.robotui.api.port.CallException;
@@ -97,6 +98,11 @@ public final class Renewals<Q, H extends AutoCloseable> {
       }
       return over;
     });
+  }
+
+  /** What is offered now. */
+  public synchronized Set<String> names() {
+    return Set.copyOf(held.keySet());
   }
 
   /** Offers nothing any more. */

@@ -84,7 +84,7 @@ class Ros2RelayTest extends Ros2Case {
   /** With a byte at the end that no writer of ours would write. */
   @Test
   void bytesArriveAsTheyWereSentWhereTheDefinitionIsTheSame() {
-    Bytes sent = Bytes.of(new byte[] {0, 1, 0, 1, 3, 0, 0, 0, 'a', 's', 0, 7});
+    Bytes sent = Bytes.of(new byte[]{0, 1, 0, 1, 3, 0, 0, 0, 'a', 's', 0, 7});
     Deque<Bytes> same = new ConcurrentLinkedDeque<>();
     Deque<Bytes> other = new ConcurrentLinkedDeque<>();
     Ros2Codec<ByteBuffer> raw = Ros2Codec.raw(TypeName.parse("std_msgs/msg/String").orElseThrow(), Optional.empty());

@@ -37,6 +37,7 @@ class RosbridgeRficTest {
   private static final long PATIENCE_NANOS = 60_000_000_000L;
 
   private final FakeRficContext context = new FakeRficContext();
+  private final AtomicInteger calls = new AtomicInteger();
   private RosbridgeServer server;
   private Rfic rfic;
 
@@ -106,18 +107,22 @@ class RosbridgeRficTest {
     await(() -> server.services.isEmpty());
   }
 
-  /** As of the newest offer, so that one that has ended meanwhile is of no matter. */
+  /** The offer is made again meanwhile, however slow the machine is; the call may so be answered more than once. */
   private Map<String, Object> response(String arguments, boolean result) throws TreeException {
-    server.responses.clear();
+    String id = "call:" + calls.incrementAndGet();
     await(() -> {
       offered("far/lights");
-      server.tell("{\"op\":\"call_service\",\"id\":\"call:7\",\"service\":\"/far/lights\",\"args\":" + arguments + "}");
-      LockSupport.parkNanos(100_000_000);
-      return !server.responses.isEmpty();
+      server.tell(
+          "{\"op\":\"call_service\",\"id\":\"" + id + "\",\"service\":\"/far/lights\",\"args\":" + arguments + "}");
+      return answerOf(id).isPresent();
     });
-    Map<String, Object> response = server.responses.remove();
-    assertEquals("call:7 " + result, response.get("id") + " " + response.get("result"));
+    Map<String, Object> response = answerOf(id).orElseThrow();
+    assertEquals(result, response.get("result"));
     return Trees.object(response.get("values"));
+  }
+
+  private Optional<Map<String, Object>> answerOf(String id) {
+    return server.responses.stream().filter(response -> id.equals(response.get("id"))).findFirst();
   }
 
   @SuppressWarnings("unchecked") // handlers are kept by the names of their ports

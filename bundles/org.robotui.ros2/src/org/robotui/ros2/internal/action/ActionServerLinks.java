@@ -143,7 +143,8 @@ public final class ActionServerLinks implements Ros2ActionServer, ServerGoal.Voi
   /** A goal that is not known has status 0. */
   private synchronized CompletionStage<DynamicMessage> result(DynamicMessage request) {
     ServerGoal goal = GoalIds.of(request).map(goals::get).orElse(null);
-    return goal == null || !goal.decision().getNow(false) ? CompletableFuture.completedStage(build(got, Map.of("status", 0)))
+    return goal == null || !goal.decision().getNow(false)
+        ? CompletableFuture.completedStage(build(got, Map.of("status", 0)))
         : goal.result().minimalCompletionStage();
   }
 
