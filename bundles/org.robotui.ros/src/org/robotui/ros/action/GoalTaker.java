@@ -32,8 +32,8 @@ public interface GoalTaker {
     void feedback(DynamicMessage feedback);
 
     /**
-     * It has ended. Only the first end counts. A goal that was begun with cannot be rejected or recalled any more: it is
-     * told as aborted or preempted.
+     * It has ended. Only the first end counts. A goal that was begun with cannot be rejected or recalled any more: it
+     * is told as aborted or preempted.
      *
      * @param end how
      * @param text for users

@@ -96,8 +96,9 @@ enum Offering {
   /** A service has no word for a goal that was not reached. */
   private static CallOutcome<ServiceReply> reply(CallOutcome<ActionReply> outcome) {
     return switch (outcome) {
-      case CallOutcome.Replied<ActionReply> replied when replied.reply().end() == ActionReply.End.SUCCEEDED ->
-        new CallOutcome.Replied<>(new ServiceReply(replied.reply().result().orElse(NOTHING)));
+      case CallOutcome.Replied<ActionReply> replied when replied.reply()
+          .end() == ActionReply.End.SUCCEEDED -> new CallOutcome.Replied<>(
+              new ServiceReply(replied.reply().result().orElse(NOTHING)));
       case CallOutcome.Replied<ActionReply> replied -> new CallOutcome.Failed<>("the goal was "
           + replied.reply().end().name().toLowerCase(Locale.ROOT)
           + Optional.of(replied.reply().text()).filter(text -> !text.isEmpty()).map(text -> ": " + text).orElse(""));

@@ -16,8 +16,8 @@ import org.robotui.api.port.CallException;
 
 /**
  * One way of a parameter that two robots share: what it becomes at one of them is set at the other. It is looked at
- * again and again, on a thread of its own. The two ways of one bridge share a lock, so that they never set what the other
- * one is just looking at.
+ * again and again, on a thread of its own. The two ways of one bridge share a lock, so that they never set what the
+ * other one is just looking at.
  */
 final class ParameterWay implements CarriedWay {
   private static final long AGAIN = Duration.ofSeconds(1).toNanos();

@@ -17,8 +17,8 @@ import org.robotui.api.port.ServiceGrant;
 import org.robotui.bridge.internal.far.MappedCall;
 
 /**
- * A service or an action of one robot, offered to the programs of another one as long as both are there. Calls never come to the
- * thread of the bridges.
+ * A service or an action of one robot, offered to the programs of another one as long as both are there. Calls never
+ * come to the thread of the bridges.
  */
 final class ServiceWay implements CarriedWay {
   private static final long AGAIN = 2_000_000_000L;

@@ -331,7 +331,8 @@ class LcmRficTest {
 
   private Optional<String> relay(String channel, Data value, RelayMessage.Original original) {
     Deque<Optional<String>> told = new ConcurrentLinkedDeque<>();
-    Sent sent = send("relay", new RelayMessage(channel, "", value, Optional.empty(), original, false, false, told::add));
+    Sent sent =
+        send("relay", new RelayMessage(channel, "", value, Optional.empty(), original, false, false, told::add));
     Optional<String> refusal = sent instanceof Sent.Refused refused ? Optional.of(refused.reason()) : Optional.empty();
     assertEquals(List.of(refusal), List.copyOf(told));
     return refusal;
