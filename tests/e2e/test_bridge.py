@@ -87,8 +87,8 @@ bridges:
     fields: {target_pose: pose}
     feedback: {current_pose: base_position}
 ruics:
-  Old: {type: single, view: text, rfics: {base: {type: ros}}}
-  New: {type: single, view: text, rfics: {base: {type: ros2}}}
+  Old: {type: single, view: status, rfics: {base: {type: ros}}}
+  New: {type: single, view: status, rfics: {base: {type: ros2}}}
 """
 
 
