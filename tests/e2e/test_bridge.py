@@ -70,10 +70,57 @@ def test_nodes_of_ros_1_and_ros_2_hear_and_command_each_other(roscore, tmp_path)
     assert bridge.returncode == 130, bridge.err.read_text()
 
 
+ACTIONS = """
+bridges:
+  there:
+    kind: action
+    from: Old.new/navigate
+    to: New.navigate_to_pose
+    type: move_base_msgs/MoveBaseAction
+    fields: {pose: target_pose}
+    feedback: {base_position: current_pose}
+    frame_prefix: natalie/
+  back:
+    kind: action
+    from: New.old/move_base
+    to: Old.move_base
+    type: nav2_msgs/NavigateToPose
+    fields: {target_pose: pose}
+    feedback: {current_pose: base_position}
+ruics:
+  Old: {type: single, view: status, rfics: {base: {type: ros}}}
+  New: {type: single, view: status, rfics: {base: {type: ros2}}}
+"""
+
+
+def test_clients_of_actionlib_and_rclpy_have_goals_carried_out_by_each_others_servers(roscore, tmp_path):
+    if subprocess.run(["/usr/bin/python3", "-c", "import actionlib, genpy.dynamic"], capture_output=True, check=False).returncode:
+        pytest.skip("needs the Debian packages python3-actionlib python3-genpy")
+    roscore.environment |= {"ROS_DOMAIN_ID": str(DOMAIN), "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST"}
+    config = tmp_path / "actions.yaml"
+    config.write_text(ACTIONS, encoding="utf-8")
+    bridge = start_robotui(roscore, "bridge", config, "--json", name="bridge")
+    old = roscore.start_tool("/usr/bin/python3", PEERS / "rospy_actions.py", "/new/navigate", name="old")
+    new = start_rclpy(roscore, "new", "rclpy_actions.py", "/old/move_base")
+
+    said = wait_for(lambda: lines(old) and lines(old)[-1], 240, "the goals of actionlib's client; " + old.err.read_text())
+    assert said == {"reached": ["SUCCEEDED", "", [["map", 2.0]]], "cancelled": ["PREEMPTED", "", [["map", 1000.0]]],
+                    "rejected": ["REJECTED", said["rejected"][1], []]}
+    assert "did not want the goal" in said["rejected"][1]
+    said = wait_for(lambda: lines(new) and lines(new)[-1], 240, "the goals of rclpy's client; " + new.err.read_text())
+    assert said == {"reached": ["SUCCEEDED", [["map", 2.0]]], "cancelled": ["CANCELED", [["map", 1000.0]]], "rejected": ["REJECTED", []]}
+    wait_for(lambda: line(bridge, "there").get("passed") == 2 and line(bridge, "back").get("passed", 0) >= 2, what="the goals to be counted")
+    wait_for(lambda: line(bridge, "there")["control"] == line(bridge, "back")["control"] == "", what="the leases to be given back")
+
+
 def start_visitor(roscore, name, *options):
+    return start_rclpy(roscore, name, "bridge_visitor.py", *options)
+
+
+def start_rclpy(roscore, name, program, *options):
     root = str(RCLPY.parent.parent)
     surroundings = roscore.environment | {"FASTDDS_BUILTIN_TRANSPORTS": "UDPv4", "LD_LIBRARY_PATH": f"{root}/lib", "AMENT_PREFIX_PATH": root}
-    return roscore.processes.start([RCLPY, PEERS / "bridge_visitor.py", *options], name, surroundings)
+    return roscore.processes.start([RCLPY, PEERS / program, *options], name, surroundings)
 
 
 def lines(process):

@@ -7,7 +7,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -15,8 +20,11 @@ import org.robotui.message.ActionDefinition;
 import org.robotui.message.ActionSchema;
 import org.robotui.message.DefinitionException;
 import org.robotui.message.Definitions;
+import org.robotui.message.DynamicCodec;
 import org.robotui.message.DynamicMessage;
 import org.robotui.message.Generation;
+import org.robotui.message.MessageException;
+import org.robotui.message.MessageSchema;
 import org.robotui.message.description.TypeName;
 import org.robotui.net.call.Outcome;
 import org.robotui.ros2.action.Ros2ActionClient;
@@ -27,6 +35,7 @@ import org.robotui.ros2.action.Ros2GoalHandle;
 import org.robotui.ros2.action.Ros2GoalListener;
 import org.robotui.ros2.action.Ros2GoalOutcome;
 import org.robotui.ros2.action.Ros2GoalPhase;
+import org.robotui.ros2.action.Ros2GoalTaker;
 import org.robotui.ros2.action.Ros2GoalWorker;
 import org.robotui.ros2.graph.GraphAction;
 
@@ -97,7 +106,7 @@ class ActionsTest {
 
   private static Ros2GoalOutcome end(Outcome<Ros2GoalHandle> sent) throws Exception {
     return sent.toOptional().orElseThrow(() -> new AssertionError(sent.reason())).done().toCompletableFuture()
-        .get(5, TimeUnit.SECONDS);
+        .get(20, TimeUnit.SECONDS);
   }
 
   @Test
@@ -128,6 +137,37 @@ class ActionsTest {
     assertEquals("the server of /count did not want the goal", sent.reason());
     assertEquals(List.of("DONE", "REJECTED"), heard);
     assertInstanceOf(Outcome.Refused.class, client.send(Map.of("too", 1), listener, LONG));
+  }
+
+  @Test
+  void aTakerDecidesAndEndsGoalsLater() throws Exception {
+    BlockingQueue<Ros2GoalTaker.Taken> taken = new LinkedBlockingQueue<>();
+    CountDownLatch cancelled = new CountDownLatch(1);
+    Ros2ActionServer.open(domain.context().node("later"), "later", count(), (goal, each) -> {
+      taken.add(each);
+      return cancelled::countDown;
+    });
+    Ros2ActionClient client = Ros2ActionClient.open(domain.context().node("client"), "/later", count(),
+        new Ros2ActionOptions(Thread::new, LONG, 2));
+    CompletableFuture<Outcome<Ros2GoalHandle>> refused =
+        CompletableFuture.supplyAsync(() -> client.send(Map.of("to", 1), listener, LONG));
+    taken.poll(20, TimeUnit.SECONDS).end(Ros2GoalEnd.REJECTED, Optional.empty());
+    assertInstanceOf(Outcome.Refused.class, refused.get(20, TimeUnit.SECONDS));
+
+    CompletableFuture<Outcome<Ros2GoalHandle>> sent =
+        CompletableFuture.supplyAsync(() -> client.send(Map.of("to", 1), listener, LONG));
+    Ros2GoalTaker.Taken goal = taken.poll(20, TimeUnit.SECONDS);
+    goal.feedback(message(Map.of("at", 7), count().schema().feedback()));
+    sent.get(20, TimeUnit.SECONDS).toOptional().orElseThrow().cancel();
+    assertTrue(cancelled.await(20, TimeUnit.SECONDS));
+    goal.end(Ros2GoalEnd.CANCELED, Optional.of(message(Map.of("reached", 8), count().schema().result())));
+    Ros2GoalOutcome outcome = end(sent.join());
+    assertEquals(Ros2GoalEnd.CANCELED, outcome.end());
+    assertEquals(8, outcome.result().orElseThrow().number("reached").orElse(-1));
+  }
+
+  private static DynamicMessage message(Map<String, ?> values, MessageSchema schema) throws MessageException {
+    return new DynamicCodec(schema).build(values);
   }
 
   @Test

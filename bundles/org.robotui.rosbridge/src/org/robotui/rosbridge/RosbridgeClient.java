@@ -153,6 +153,27 @@ public final class RosbridgeClient implements AutoCloseable {
   }
 
   /**
+   * Offers a service to the nodes behind the bridge. One of the same name takes its place.
+   *
+   * @param service its name
+   * @param type the name of its type
+   * @param responder answers calls
+   * @return offers it no longer when closed
+   */
+  public BridgeResponder.Offered serve(String service, String type, BridgeResponder responder) {
+    BridgeEar.Served served = (id, arguments) -> responder.answer(arguments)
+        .thenAccept(answer -> link.say(Words.of("service_response", "id", id, "service", service, "values",
+            answer.values(), "result", answer.result())));
+    ear.services().put(service, served);
+    link.say(Words.of("advertise_service", "type", type, "service", service));
+    return () -> {
+      if (ear.services().remove(service, served)) {
+        link.say(Words.of("unadvertise_service", "service", service));
+      }
+    };
+  }
+
+  /**
    * How the link fares.
    *
    * @return lasts as long as the client

@@ -23,6 +23,11 @@ public final class BridgeWords {
   public static final String VALUES = "values";
   /** A bridge that offers a service of one robot to the programs of another one. */
   public static final String SERVICE = "service";
+  /** A bridge that offers an action of one robot to the programs of another one. */
+  public static final String ACTION = "action";
+
+  /** A bridge that keeps a parameter of one robot equal to one of another robot. */
+  public static final String PARAMETER = "parameter";
 
   private static final double LONGEST_SHIFT = 1e9;
   private static final TextRule END =
@@ -42,9 +47,9 @@ public final class BridgeWords {
           + " several, and port"),
       Setting.required("to", PLACED_END, "where they go: a port for commands, or a topic or channel, which is offered"
           + " where nobody has it"),
-      Setting.of("kind", new ValueType.Choice(List.of(VALUES, SERVICE)), VALUES,
-          "what is carried: values, or calls of a service, which is offered to the programs of 'from' and answered by"
-              + " that of 'to'"),
+      Setting.of("kind", new ValueType.Choice(List.of(VALUES, SERVICE, ACTION, PARAMETER)), VALUES,
+          "what is carried: values, or calls of a service or goals of an action, which is offered to the programs of"
+              + " 'from' and answered by that of 'to'; or a parameter, which is set at 'to' as it is at 'from'"),
       Setting.of("both", new ValueType.Flag(), false, "whether values go the other way as well"),
       Setting.optional("type", new ValueType.Text(TYPE),
           "the type of the messages that are sent; without it, what the topic carries, or what usually carries such values"),
@@ -71,8 +76,12 @@ public final class BridgeWords {
           "whether messages command the robot, and so need the lease and end with a stop; without it, all do but those of"
               + " sensors, maps and states, and so do calls"),
       Setting.optional("reply", new ValueType.MapOf(new ValueType.Text(EXPRESSION)),
-          "what each field of the replies of a service is made of; 'fields' does the same for requests"),
-      Setting.of("timeout", new ValueType.Num(0.05, 3600, "s"), 10.0, "how long the answer of a service may take"),
+          "what each field of the replies of a service, or of the results of an action, is made of; 'fields' does the"
+              + " same for requests and goals"),
+      Setting.optional("feedback", new ValueType.MapOf(new ValueType.Text(EXPRESSION)),
+          "what each field of the feedback of an action is made of"),
+      Setting.optional("timeout", new ValueType.Num(0.05, 86_400, "s"), "how long the answer of a service, or a goal of"
+          + " an action, may take; without it, 10 s or an hour"),
       Setting.of("expiry", new ValueType.Num(0.05, 60, "s"), 0.5, "how long a command holds; it is not sent later"),
       Setting.optional("max_linear", new ValueType.Num(0, 100, "m/s"), "no motion that passes is faster"),
       Setting.optional("max_angular", new ValueType.Num(0, 100, "rad/s"), "no motion that passes turns faster"));

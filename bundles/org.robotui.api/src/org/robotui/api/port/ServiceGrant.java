@@ -1,7 +1,7 @@
 package org.robotui.api.port;
 
 /**
- * A service that is offered to the programs of a robot now.
+ * A service or an action that is offered to the programs of a robot now.
  *
  * @param name its whole name
  * @param type the robot's name of its type

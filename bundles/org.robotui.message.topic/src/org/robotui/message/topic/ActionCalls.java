@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
@@ -22,6 +23,9 @@ public final class ActionCalls implements CallHandler<ActionRequest, ActionReply
   private static final Duration PATIENCE = Duration.ofSeconds(5);
   private static final Duration LAST_WORD = Duration.ofMillis(2500);
   private static final Duration AT_THE_END = Duration.ofMillis(300);
+
+  /** The names of the phases in which robots work on goals, in ROS 1 and ROS 2. */
+  private static final Set<String> WORK = Set.of("active", "executing");
 
   private final ActionRoute.Opener opener;
   private final Map<String, Shared> routes = new HashMap<>();
@@ -55,6 +59,12 @@ public final class ActionCalls implements CallHandler<ActionRequest, ActionReply
   public static void tell(Invocation<ActionRequest> told, Enum<?> phase, String text) {
     String word = phase.name().toLowerCase(Locale.ROOT).replace('_', ' ');
     told.progress(Double.NaN, text.isEmpty() ? word : word + ": " + text);
+  }
+
+  /** Whether a word that was told so says that the robot works on the goal. */
+  static boolean isAtWork(String told) {
+    int colon = told.indexOf(':');
+    return WORK.contains(colon < 0 ? told : told.substring(0, colon));
   }
 
   @Override

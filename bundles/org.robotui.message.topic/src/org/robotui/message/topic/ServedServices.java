@@ -1,10 +1,6 @@
 package org.robotui.message.topic;
 
-import java.time.Duration;
-import java.util.HashMap;
-import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.CompletionStage;
 import org.robotui.api.port.CallException;
 import org.robotui.api.port.CallHandler;
 import org.robotui.api.port.CallOutcome;
@@ -17,6 +13,7 @@ import org.robotui.message.Generation;
 import org.robotui.message.ServiceSchema;
 import org.robotui.message.data.MessageByNames;
 import org.robotui.message.data.MessageRecord;
+import org.robotui.message.topic.internal.Renewals;
 import org.robotui.net.call.Outcome;
 
 /**
@@ -24,12 +21,9 @@ import org.robotui.net.call.Outcome;
  * offer is made again and again. One that somebody of the robot offers is left to him. Safe for all threads.
  */
 public final class ServedServices implements CallHandler<ServiceOffer, ServiceGrant>, AutoCloseable {
-  private static final long LIFETIME = Duration.ofSeconds(ServiceOffer.LIFETIME_SECONDS).toNanos();
-
   private final ServiceHosting hosting;
   private final TopicSettings settings;
-  private final Map<String, Served> served = new HashMap<>();
-  private boolean closed;
+  private final Renewals<ServiceOffer, Offer> served = new Renewals<>(Offer::close);
 
   /**
    * Offers nothing yet.
@@ -40,31 +34,6 @@ public final class ServedServices implements CallHandler<ServiceOffer, ServiceGr
   public ServedServices(ServiceHosting hosting, TopicSettings settings) {
     this.hosting = hosting;
     this.settings = settings;
-  }
-
-  /** One service, whose responder may be replaced by a later offer. */
-  private static final class Served implements ServiceHosting.Host {
-    private final String type;
-    private final ReplyForm form;
-    private Optional<Offer> offer = Optional.empty();
-    private volatile ServiceOffer.Responder responder;
-    private volatile long until;
-
-    Served(String name, ServiceSchema schema, ServiceOffer asked) {
-      this.type = asked.type();
-      this.form = new ReplyForm(name, new MessageByNames(schema.response()), schema);
-      renew(asked);
-    }
-
-    void renew(ServiceOffer asked) {
-      responder = asked.responder();
-      until = System.nanoTime() + LIFETIME;
-    }
-
-    @Override
-    public CompletionStage<Outcome<DynamicMessage>> answer(DynamicMessage request, String caller) {
-      return responder.answer(new MessageRecord(request), caller).thenApply(form::of);
-    }
   }
 
   /** Makes messages of replies. */
@@ -95,62 +64,25 @@ public final class ServedServices implements CallHandler<ServiceOffer, ServiceGr
     String name = settings.topic(asked.service());
     Optional<String> other = hosting.provider(name);
     if (other.isPresent()) {
-      leave(name);
+      served.leave(name);
       throw new CallException(name + " is offered already, by " + other.get() + "; give the bridge another name");
     }
-    if (!renewed(name, asked)) {
-      adopt(name, asked, CallOutcomes.found(hosting.schema(type)));
+    if (!served.renewed(name, type, asked)) {
+      ServiceSchema schema = CallOutcomes.found(hosting.schema(type));
+      ReplyForm form = new ReplyForm(name, new MessageByNames(schema.response()), schema);
+      served.adopt(name, type, asked, held -> hosting.open(name, schema, (request, caller) -> held.asked().responder()
+          .answer(new MessageRecord(request), caller).thenApply(form::of)));
     }
     return new ServiceGrant(name, type);
   }
 
-  private synchronized boolean renewed(String name, ServiceOffer asked) {
-    Served known = served.get(name);
-    if (known == null || !known.type.equals(asked.type())) {
-      return false;
-    }
-    known.renew(asked);
-    return true;
-  }
-
-  private synchronized void leave(String name) {
-    Optional.ofNullable(served.remove(name)).ifPresent(ServedServices::end);
-  }
-
-  private synchronized void adopt(String name, ServiceOffer asked, ServiceSchema schema) throws CallException {
-    if (closed) {
-      throw new CallException("the connection is being closed");
-    }
-    leave(name);
-    Served made = new Served(name, schema, asked);
-    try {
-      made.offer = Optional.of(hosting.open(name, schema, made));
-    } catch (IllegalArgumentException | IllegalStateException e) {
-      throw new CallException(name + " cannot be offered: " + e.getMessage(), e);
-    }
-    served.put(name, made);
-  }
-
-  private static void end(Served gone) {
-    gone.offer.ifPresent(Offer::close);
-  }
-
   /** Gives up what is not offered any more. To be called at least once a second. */
-  public synchronized void tick() {
-    long now = System.nanoTime();
-    served.values().removeIf(each -> {
-      boolean over = now - each.until > 0;
-      if (over) {
-        end(each);
-      }
-      return over;
-    });
+  public void tick() {
+    served.tick(offer -> {});
   }
 
   @Override
-  public synchronized void close() {
-    closed = true;
-    served.values().forEach(ServedServices::end);
-    served.clear();
+  public void close() {
+    served.close();
   }
 }

@@ -1,5 +1,6 @@
 package org.robotui.message.topic;
 
+import org.robotui.api.port.ActionOffer;
 import org.robotui.api.port.ActionReply;
 import org.robotui.api.port.ActionRequest;
 import org.robotui.api.port.Arity;
@@ -28,6 +29,11 @@ public final class TopicPorts {
   /** Sends goals to actions. */
   public static final CallPort<ActionRequest, ActionReply> ACTIONS = new CallPort<>("actions", ActionRequest.class,
       ActionReply.class, Arity.MANY, "Sends a goal to an action by its name.", true);
+
+  /** Offers actions to programs of the robot. */
+  public static final CallPort<ActionOffer, ServiceGrant> SERVE_ACTION =
+      new CallPort<>("serve_action", ActionOffer.class, ServiceGrant.class, Arity.MANY,
+          "Offers an action to the programs of the robot that is carried out outside, such as by a bridge.");
 
   /** Browses the graph. */
   public static final BrowsePort GRAPH =

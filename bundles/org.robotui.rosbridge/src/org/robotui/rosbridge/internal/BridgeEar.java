@@ -23,6 +23,14 @@ public final class BridgeEar implements WebListener {
   private final BridgeListener listener;
   private final Map<String, List<Arrivals.Source<Parcel>>> topics = new ConcurrentHashMap<>();
   private final OpenQuestions<Map<String, Object>> calls = new OpenQuestions<>();
+  private final Map<String, Served> services = new ConcurrentHashMap<>();
+
+  /** A service of ours. */
+  @FunctionalInterface
+  public interface Served {
+    /** Somebody calls it. */
+    void asked(Object id, Map<String, Object> arguments);
+  }
 
   /** Nothing was heard yet. */
   public BridgeEar(String server, BridgeListener listener) {
@@ -33,6 +41,11 @@ public final class BridgeEar implements WebListener {
   /** The calls under way. */
   public OpenQuestions<Map<String, Object>> calls() {
     return calls;
+  }
+
+  /** The services of ours, by name. */
+  public Map<String, Served> services() {
+    return services;
   }
 
   /** Who takes messages, by topic. */
@@ -76,11 +89,20 @@ public final class BridgeEar implements WebListener {
     switch (Trees.text(message, "op")) {
       case "publish" -> arrived(Trees.text(message, "topic"), new Parcel.Tree(message, size, System.nanoTime()));
       case "service_response" -> calls.answered(Trees.optionalText(message, "id").orElse(""), response(message));
+      case "call_service" -> called(message);
       case "status" -> listener.onStatus(Trees.optionalText(message, "level").orElse("error"),
           PeerText.brief(Trees.optionalText(message, "msg").orElse("")));
       default -> {
         // of a newer protocol, or nothing that was asked for
       }
+    }
+  }
+
+  private void called(Map<String, Object> message) throws TreeException {
+    Served served = services.get(Trees.text(message, "service"));
+    if (served != null) {
+      served.asked(message.getOrDefault("id", ""),
+          message.get("args") instanceof Map<?, ?> ? Trees.object(message.get("args")) : Map.of());
     }
   }
 

@@ -10,6 +10,7 @@ import java.util.Queue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import org.robotui.api.command.Authority;
@@ -46,7 +47,8 @@ public final class FakePortAccess implements PortAccess {
   private final Map<SourceId, Browser> browsers = new HashMap<>();
   private final List<String> sent = new CopyOnWriteArrayList<>();
   private final List<Data> commands = new CopyOnWriteArrayList<>();
-  private Function<Object, CallOutcome<Object>> answers = request -> new CallOutcome.Failed<>("no test answers");
+  private BiFunction<Object, Progress, CompletionStage<CallOutcome<Object>>> answers =
+      (request, progress) -> CompletableFuture.completedStage(new CallOutcome.Failed<>("no test answers"));
   private volatile Principal principal = new Principal("nobody", "Nobody", Principal.Kind.SCRIPT);
 
   FakePortAccess(Authority authority) {
@@ -149,6 +151,15 @@ public final class FakePortAccess implements PortAccess {
    * @param by is given the request
    */
   public synchronized void answer(Function<Object, CallOutcome<Object>> by) {
+    answers = (request, progress) -> CompletableFuture.completedStage(by.apply(request));
+  }
+
+  /**
+   * Sets how calls end, perhaps later.
+   *
+   * @param by is given the request, and what is told of progress
+   */
+  public synchronized void answerLater(BiFunction<Object, Progress, CompletionStage<CallOutcome<Object>>> by) {
     answers = by;
   }
 
@@ -233,7 +244,7 @@ public final class FakePortAccess implements PortAccess {
   @Override
   public synchronized Call<?> call(SourceId target, Object request, Duration timeout, Progress progress) {
     sent.add(target + " " + request);
-    CompletionStage<CallOutcome<Object>> outcome = CompletableFuture.completedStage(answers.apply(request));
+    CompletionStage<CallOutcome<Object>> outcome = answers.apply(request, progress);
     return new Call<Object>() {
       @Override
       public CompletionStage<CallOutcome<Object>> outcome() {

@@ -5,7 +5,10 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.locks.Lock;
 import java.util.concurrent.locks.LockSupport;
+import java.util.concurrent.locks.ReentrantLock;
+import java.util.function.Function;
 import org.robotui.api.bridge.BridgeConfig;
 import org.robotui.api.bridge.BridgeStatus;
 import org.robotui.api.bridge.BridgeTransform.Direction;
@@ -84,12 +87,19 @@ public final class BridgeRunner implements AutoCloseable {
   }
 
   private List<CarriedWay> ways(BridgeConfig config) {
-    if (config.settings().text("kind").equals(BridgeWords.SERVICE)) {
-      return List.of(new ServiceWay(config, surroundings));
-    }
-    BridgeWay forth = new BridgeWay(config, Direction.FORTH, surroundings);
-    return config.settings().flag("both") ? List.of(forth, new BridgeWay(config, Direction.BACK, surroundings))
-        : List.of(forth);
+    return switch (config.settings().text("kind")) {
+      case BridgeWords.VALUES -> ways(config, direction -> new BridgeWay(config, direction, surroundings));
+      case BridgeWords.PARAMETER -> {
+        Lock shared = new ReentrantLock();
+        yield ways(config, direction -> new ParameterWay(config, direction, surroundings, shared));
+      }
+      default -> List.of(new ServiceWay(config, surroundings));
+    };
+  }
+
+  private static List<CarriedWay> ways(BridgeConfig config, Function<Direction, CarriedWay> made) {
+    CarriedWay forth = made.apply(Direction.FORTH);
+    return config.settings().flag("both") ? List.of(forth, made.apply(Direction.BACK)) : List.of(forth);
   }
 
   /** What bridges move has been stopped, and leases given back, when this returns. */

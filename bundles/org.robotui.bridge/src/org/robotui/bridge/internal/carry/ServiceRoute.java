@@ -3,34 +3,37 @@ package org.robotui.bridge.internal.carry;
 import java.time.Duration;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.CompletionStage;
+import java.util.function.Supplier;
 import org.robotui.api.bridge.BridgeConfig;
 import org.robotui.api.bridge.BridgeEnd;
 import org.robotui.api.command.Principal;
 import org.robotui.api.config.Settings;
 import org.robotui.api.host.PortAccess;
 import org.robotui.api.host.Ruic;
+import org.robotui.api.port.ActionReply;
+import org.robotui.api.port.Browser.Kind;
 import org.robotui.api.port.CallException;
 import org.robotui.api.port.CallOutcome;
+import org.robotui.api.port.Caller.Call;
 import org.robotui.api.port.Caller.Progress;
 import org.robotui.api.port.PortKind;
 import org.robotui.api.port.ServiceGrant;
-import org.robotui.api.port.ServiceOffer;
-import org.robotui.api.port.ServiceReply;
 import org.robotui.api.port.SourceId;
 import org.robotui.bridge.internal.change.FrameRenaming;
 import org.robotui.bridge.internal.change.ServiceMapping;
 import org.robotui.bridge.internal.change.StampMoving;
 import org.robotui.bridge.internal.change.ValueRewriting;
 import org.robotui.bridge.internal.far.AskedRobot;
+import org.robotui.bridge.internal.far.MappedCall;
 import org.robotui.data.record.DynamicRecord;
 
-/** A service between two robot UIs that are there: offered to one, answered by the other. */
+/** A service or an action between two robot UIs that are there: offered to one, answered by the other. */
 final class ServiceRoute implements AutoCloseable {
-  private static final String SERVE = "serve";
+  private static final String CALLS = "services";
   private static final Duration TIMELY = Duration.ofSeconds(5);
 
   private final BridgeConfig config;
+  private final Offering offering;
   private final Ruic asking;
   private final Ruic answering;
   private final PortAccess near;
@@ -43,12 +46,13 @@ final class ServiceRoute implements AutoCloseable {
   private ServiceRoute(BridgeConfig config, Ruic asking, Ruic answering, Principal principal) {
     Settings settings = config.settings();
     this.config = config;
+    this.offering = Offering.of(settings);
     this.asking = asking;
     this.answering = answering;
     this.near = asking.access(principal);
     this.beyond = answering.access(principal);
-    this.robot = new AskedRobot(config.to(), answering, beyond, settings);
-    this.serve = new SourceId(config.from().port().component(), SERVE);
+    this.robot = new AskedRobot(config.to(), answering, beyond, settings, offering.patience(settings));
+    this.serve = new SourceId(config.from().port().component(), offering.port());
     FrameRenaming frames = FrameRenaming.of(settings, answering.name());
     this.mapping = ServiceMapping.of(settings,
         new ValueRewriting(frames, StampMoving.of(settings, false, asking.clock(), answering.clock())),
@@ -74,8 +78,12 @@ final class ServiceRoute implements AutoCloseable {
   Optional<String> missing() {
     if (near.port(PortKind.CALL, serve).isEmpty()) {
       BridgeEnd from = config.from();
-      return Optional.of("nothing can be offered to '" + from.ruic() + "." + from.port().component()
-          + "' now: its connection is down, or programs of its framework cannot be given services");
+      String who = "'" + from.ruic() + "." + from.port().component() + "'";
+      boolean connected = near.port(PortKind.CALL, new SourceId(from.port().component(), CALLS)).isPresent();
+      return Optional.of(connected
+          ? who + " cannot be offered " + offering.word() + "s: its protocol lets nobody but the robot serve any"
+          : "nothing can be offered to " + who + " now: its connection is down, or programs of its framework cannot be"
+              + " given " + offering.word() + "s");
     }
     return robot.isThere() ? Optional.empty() : Optional.of(robot.missing());
   }
@@ -87,14 +95,14 @@ final class ServiceRoute implements AutoCloseable {
    */
   ServiceGrant offer(Calls calls) throws CallException {
     Settings settings = config.settings();
-    AskedRobot.Found found = robot.find(!settings.has("type"));
-    String type = settings.has("type") ? settings.text("type") : found.type();
+    AskedRobot.Found found = robot.find(offering.kind(), !settings.has("type"));
+    String type = settings.has("type") ? settings.text("type") : found.kind() == offering.kind() ? found.type() : "";
     if (type.isEmpty()) {
-      throw new CallException("the type of " + config.to() + " is not known: give the bridge the type of the service"
-          + " that it offers with 'type', such as std_srvs/Trigger");
+      throw new CallException("the type of " + config.to() + " is not known: give the bridge the type of the "
+          + offering.word() + " that it offers with 'type', such as " + offering.example());
     }
-    ServiceOffer offer = new ServiceOffer(config.from().port().port(), type,
-        (request, caller) -> calls.answered(() -> ask(found.name(), request)));
+    Object offer = offering.offer(config.from().port().port(), type,
+        (request, progress) -> calls.answered(() -> ask(found, request, progress)));
     CompletableFuture<CallOutcome<?>> outcome = new CompletableFuture<>();
     near.call(serve, offer, TIMELY, Progress.IGNORED).outcome().thenAccept(outcome::complete);
     return switch (outcome.join()) {
@@ -106,29 +114,27 @@ final class ServiceRoute implements AutoCloseable {
 
   /** Counts calls. */
   interface Calls {
-    CompletionStage<CallOutcome<ServiceReply>> answered(Asked asked);
+    Call<ActionReply> answered(Supplier<Call<ActionReply>> asked);
   }
 
-  /** A call that is to be made. */
-  interface Asked {
-    CompletionStage<CallOutcome<ServiceReply>> begin();
-  }
-
-  private CompletionStage<CallOutcome<ServiceReply>> ask(String service, DynamicRecord request) {
+  private Call<ActionReply> ask(AskedRobot.Found found, DynamicRecord request, Progress progress) {
     if (closed) {
-      return CompletableFuture.completedStage(new CallOutcome.Failed<>("the bridge '" + config.name() + "' has ended"));
+      return MappedCall.failed("the bridge '" + config.name() + "' has ended");
     }
+    boolean judged = offering == Offering.ACTION && found.kind() == Kind.SERVICE;
     try {
-      return robot.ask(service, mapping.request(request)).thenApply(this::mapped);
+      return MappedCall.of(robot.ask(found, mapping.request(request), new MappedProgress(progress, mapping)),
+          outcome -> mapped(judged ? Offering.judged(outcome) : outcome));
     } catch (IllegalArgumentException e) {
-      return CompletableFuture.completedStage(new CallOutcome.Failed<>(String.valueOf(e.getMessage())));
+      return MappedCall.failed(String.valueOf(e.getMessage()));
     }
   }
 
-  private CallOutcome<ServiceReply> mapped(CallOutcome<ServiceReply> outcome) {
+  private CallOutcome<ActionReply> mapped(CallOutcome<ActionReply> outcome) {
     try {
-      return outcome instanceof CallOutcome.Replied<ServiceReply> replied
-          ? new CallOutcome.Replied<>(new ServiceReply(mapping.reply(replied.reply().value())))
+      return outcome instanceof CallOutcome.Replied<ActionReply> replied
+          ? new CallOutcome.Replied<>(new ActionReply(replied.reply().end(), replied.reply().text(),
+              replied.reply().result().map(mapping::reply)))
           : outcome;
     } catch (IllegalArgumentException e) {
       return new CallOutcome.Failed<>(String.valueOf(e.getMessage()));

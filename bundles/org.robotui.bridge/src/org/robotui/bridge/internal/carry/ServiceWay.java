@@ -1,22 +1,24 @@
 package org.robotui.bridge.internal.carry;
 
 import java.util.Optional;
-import java.util.concurrent.CompletionStage;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Supplier;
 import org.robotui.api.bridge.BridgeConfig;
 import org.robotui.api.bridge.BridgeStatus;
 import org.robotui.api.bridge.BridgeStatus.Counts;
 import org.robotui.api.bridge.BridgeStatus.State;
 import org.robotui.api.command.Principal;
+import org.robotui.api.port.ActionReply;
 import org.robotui.api.port.CallException;
 import org.robotui.api.port.CallOutcome;
+import org.robotui.api.port.Caller.Call;
 import org.robotui.api.port.ServiceGrant;
-import org.robotui.api.port.ServiceReply;
+import org.robotui.bridge.internal.far.MappedCall;
 
 /**
- * A service of one robot, offered to the programs of another one as long as both are there. Calls never come to the
- * thread of the bridges.
+ * A service or an action of one robot, offered to the programs of another one as long as both are there. Calls never
+ * come to the thread of the bridges.
  */
 final class ServiceWay implements CarriedWay {
   private static final long AGAIN = 2_000_000_000L;
@@ -86,12 +88,12 @@ final class ServiceWay implements CarriedWay {
     }
   }
 
-  private CompletionStage<CallOutcome<ServiceReply>> answered(ServiceRoute.Asked asked) {
+  private Call<ActionReply> answered(Supplier<Call<ActionReply>> asked) {
     received.incrementAndGet();
     long began = System.nanoTime();
     called = began;
-    return asked.begin().thenApply(outcome -> {
-      tally.answered(outcome instanceof CallOutcome.Failed<ServiceReply> failed ? Optional.of(failed.reason())
+    return MappedCall.of(asked.get(), outcome -> {
+      tally.answered(outcome instanceof CallOutcome.Failed<ActionReply> failed ? Optional.of(failed.reason())
           : Optional.empty(), began);
       return outcome;
     });

@@ -90,6 +90,10 @@ final class TwoRobots implements AutoCloseable {
     return runner.statuses().getFirst();
   }
 
+  List<BridgeStatus> statuses() {
+    return runner.statuses();
+  }
+
   void awaitText(String part) {
     await(() -> status().text().contains(part), () -> "it says: " + status());
   }

@@ -3,10 +3,12 @@ package org.robotui.core.internal.config;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.robotui.api.bridge.BridgeConfig;
 import org.robotui.api.bridge.BridgeEnd;
 import org.robotui.api.bridge.BridgeWords;
@@ -17,14 +19,17 @@ import org.robotui.api.port.SourceId;
 
 /** Reads bridges: names with a section each, whose ends are ports of robot interfaces of the same file. */
 final class BridgesReader {
-  private static final List<String> NOT_OF_SERVICES =
+  private static final List<String> OF_CALLS = List.of("reply", "feedback");
+  private static final List<String> NOT_OF_CALLS =
       List.of("transform", "when", "rate", "keep", "latched", "max_linear", "max_angular");
+
+  private static final List<String> NOT_OF_PARAMETERS = Stream.concat(NOT_OF_CALLS.stream(),
+      Stream.of("type", "fields", "reply", "feedback", "timeout", "frames", "frame_prefix", "lease")).toList();
 
   private final Path file;
   private final Map<String, List<String>> interfaces;
   private final List<Problem> problems;
-  private final BridgeLoops loops = new BridgeLoops();
-  private final BridgeLoops loopsOfServices = new BridgeLoops();
+  private final Map<String, BridgeLoops> loops = new HashMap<>();
 
   /** For a file with these RUICs, each with the ids of its robot interfaces. */
   BridgesReader(Path file, Map<String, List<String>> interfaces, List<Problem> problems) {
@@ -74,26 +79,43 @@ final class BridgesReader {
         new BridgeConfig(file, entry.place().line(), entry.key(), from.get(), to.get(), settings);
     Optional<String> fault = fault(settings)
         .or(() -> BridgeFilters.fault(bridge))
-        .or(() -> (settings.text("kind").equals(BridgeWords.SERVICE) ? loopsOfServices : loops).add(bridge));
+        .or(() -> loops.computeIfAbsent(namesOf(settings.text("kind")), names -> new BridgeLoops()).add(bridge));
     fault.ifPresent(f -> problems.add(entry.place().error("the bridge '" + entry.key() + "' " + f)));
     return fault.isEmpty() ? Optional.of(bridge) : Optional.empty();
   }
 
   private static Optional<String> fault(Settings settings) {
-    return settings.text("kind").equals(BridgeWords.SERVICE) ? faultOfService(settings) : faultOfValues(settings);
+    String kind = settings.text("kind");
+    return switch (kind) {
+      case BridgeWords.VALUES -> faultOfValues(settings);
+      case BridgeWords.PARAMETER -> NOT_OF_PARAMETERS.stream().filter(settings::has).findFirst()
+          .map(word -> "keeps a parameter equal, and '" + word + "' does not go with it; leave it out");
+      default -> faultOfCalls(settings, kind);
+    };
   }
 
-  private static Optional<String> faultOfService(Settings settings) {
+  /** Topics, services and parameters have names of their own; services and actions answer each other. */
+  private static String namesOf(String kind) {
+    return kind.equals(BridgeWords.ACTION) ? BridgeWords.SERVICE : kind;
+  }
+
+  private static Optional<String> faultOfCalls(Settings settings, String kind) {
+    String offers = "offers " + (kind.equals(BridgeWords.ACTION) ? "an action" : "a service");
     if (settings.flag("both")) {
-      return Optional.of("offers a service, which goes one way; leave out 'both', and write a bridge for each service");
+      return Optional.of(offers + ", which goes one way; leave out 'both', and write a bridge for each " + kind);
     }
-    return NOT_OF_SERVICES.stream().filter(settings::has).findFirst()
-        .map(word -> "offers a service, and '" + word + "' is for values; leave it out, or 'kind: service'");
+    if (kind.equals(BridgeWords.SERVICE) && settings.has("feedback")) {
+      return Optional.of(offers + ", and 'feedback' is for actions; leave it out, or write 'kind: action'");
+    }
+    return NOT_OF_CALLS.stream().filter(settings::has).findFirst()
+        .map(word -> offers + ", and '" + word + "' is for values; leave it out, or 'kind: " + kind + "'");
   }
 
   private static Optional<String> faultOfValues(Settings settings) {
-    if (settings.has("reply")) {
-      return Optional.of("carries values, and 'reply' is for services; leave it out, or write 'kind: service'");
+    Optional<String> foreign = OF_CALLS.stream().filter(settings::has).findFirst();
+    if (foreign.isPresent()) {
+      return Optional.of("carries values, and '" + foreign.get() + "' is for services and actions; leave it out, or"
+          + " write 'kind: service' or 'kind: action'");
     }
     if (settings.flag("both") && settings.has("fields")) {
       return Optional.of("goes both ways, but its 'fields' go one way only; write a bridge for each way, or use a"

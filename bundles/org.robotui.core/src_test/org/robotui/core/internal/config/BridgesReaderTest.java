@@ -65,6 +65,10 @@ class BridgesReaderTest {
       "a: {from: Natalie.x, to: Keira.ros.x, kind: service, both: yes} | 6:3 the bridge 'a' offers a service, which goes one way",
       "a: {from: Natalie.x, to: Keira.ros.x, kind: service, rate: 5} | 6:3 the bridge 'a' offers a service, and 'rate' is for values",
       "a: {from: Natalie.x, to: Keira.ros.x, reply: {x: y}} | 6:3 the bridge 'a' carries values, and 'reply' is for services",
+      "a: {from: Natalie.x, to: Keira.ros.x, kind: service, feedback: {x: y}} | 6:3 the bridge 'a' offers a service, and 'feedback' is for actions",
+      "a: {from: Natalie.x, to: Keira.ros.x, kind: action, both: yes} | 6:3 the bridge 'a' offers an action, which goes one way",
+      "a: {from: Natalie.x, to: Keira.ros.x, kind: action, keep: all} | 6:3 the bridge 'a' offers an action, and 'keep' is for values",
+      "a: {from: Natalie.x, to: Keira.ros.x, kind: parameter, rate: 5} | 6:3 the bridge 'a' keeps a parameter equal, and 'rate' does not go",
       "a: {from: Natalie.x, to: Keira.ros.x, when: x charge < low} | 6:3 the bridge 'a' has a 'when' that cannot be read: 'low' is no number",
       "a: {from: Natalie.x, to: Keira.ros.x, when: y charge < 1} | 6:3 the bridge 'a' has a 'when' that does not look at what it carries; name the port",
       "a: nonsense | 6:6 the bridge 'a' must be a section of names and values"})
@@ -98,7 +102,6 @@ class BridgesReaderTest {
         + " type: std_srvs/Trigger, fields: {}, reply: {success: 1, message: \"'told'\"}}");
     assertEquals(List.of(), result.problems());
     assertTrue(result.bridges().getFirst().settings().has("fields"));
-    assertEquals(10, result.bridges().getFirst().settings().number("timeout"));
   }
 
   @Test

@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -31,8 +32,10 @@ import org.robotui.api.port.Browser;
 import org.robotui.api.port.CallException;
 import org.robotui.api.port.CommandSink;
 import org.robotui.api.port.CommandSink.Sent;
+import org.robotui.api.port.RawMessage;
 import org.robotui.data.Data;
 import org.robotui.data.FrameId;
+import org.robotui.data.array.Bytes;
 import org.robotui.data.command.MessageCommand;
 import org.robotui.data.command.RelayMessage;
 import org.robotui.data.command.VelocityCommand;
@@ -296,11 +299,40 @@ class LcmRficTest {
         .contains("with 'type', and its fields with 'fields'"));
   }
 
+  /** The record says something else, so that it is seen of which of both the message was made. */
+  @Test
+  void bytesArriveAsTheyWereSentWhereTheFingerprintIsTheSame() throws Exception {
+    context.demand("BATTERY", true);
+    sayUntil("BATTERY", "robotui.battery_t", Map.of("utime", 7, "voltage", 12.5),
+        () -> !context.published.get("BATTERY").isEmpty());
+    RawMessage came = context.published.get("BATTERY").getFirst().raw().orElseThrow();
+    MapRecord record = new MapRecord("robotui.battery_t", Map.of("voltage", new FieldValue.Num(3, "3")));
+    await(() -> relay("SAY", record, asItCame(came.encoding(), came.bytes())).isEmpty());
+    await(() -> !toRobot.isEmpty());
+    assertEquals(came.bytes().buffer(ByteOrder.BIG_ENDIAN), toRobot.remove().data());
+
+    byte[] other = new byte[came.bytes().size()];
+    came.bytes().copyTo(0, other, 0, other.length);
+    other[0]++;
+    await(() -> relay("SAY", record, asItCame(came.encoding(), Bytes.of(other))).isEmpty());
+    await(() -> !toRobot.isEmpty());
+    assertEquals(3, types.decode(toRobot.remove().data()).number("voltage").orElse(-1), "another type is made anew");
+  }
+
+  private static RelayMessage.Original asItCame(String encoding, Bytes bytes) {
+    return new RelayMessage.Original("robotui.battery_t", Optional::empty,
+        Optional.of(new RelayMessage.Wire(encoding, Optional::empty, bytes)));
+  }
+
   /** Why it was not said; what became of it is told besides. */
   private Optional<String> relay(String channel, Data value) {
+    return relay(channel, value, RelayMessage.Original.NONE);
+  }
+
+  private Optional<String> relay(String channel, Data value, RelayMessage.Original original) {
     Deque<Optional<String>> told = new ConcurrentLinkedDeque<>();
-    Sent sent = send("relay", new RelayMessage(channel, "", value, Optional.empty(), RelayMessage.Original.NONE, false,
-        false, told::add));
+    Sent sent =
+        send("relay", new RelayMessage(channel, "", value, Optional.empty(), original, false, false, told::add));
     Optional<String> refusal = sent instanceof Sent.Refused refused ? Optional.of(refused.reason()) : Optional.empty();
     assertEquals(List.of(refusal), List.copyOf(told));
     return refusal;

@@ -7,6 +7,8 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
@@ -18,13 +20,24 @@ import org.robotui.api.Rfic;
 import org.robotui.api.link.LinkState;
 import org.robotui.api.port.Browser;
 import org.robotui.api.port.CallException;
+import org.robotui.api.port.CallHandler;
+import org.robotui.api.port.CallOutcome;
+import org.robotui.api.port.ServiceGrant;
+import org.robotui.api.port.ServiceOffer;
+import org.robotui.api.port.ServiceReply;
+import org.robotui.data.record.DynamicRecord;
+import org.robotui.data.record.FieldValue;
+import org.robotui.data.record.MapRecord;
 import org.robotui.message.Generation;
 import org.robotui.testkit.FakeRficContext;
+import org.robotui.web.tree.TreeException;
+import org.robotui.web.tree.Trees;
 
 class RosbridgeRficTest {
   private static final long PATIENCE_NANOS = 60_000_000_000L;
 
   private final FakeRficContext context = new FakeRficContext();
+  private final AtomicInteger calls = new AtomicInteger();
   private RosbridgeServer server;
   private Rfic rfic;
 
@@ -80,6 +93,74 @@ class RosbridgeRficTest {
     browser.setParameter("/speed", List.of(1L, 2L));
     assertEquals(Optional.of(List.of(1L, 2L)), browser.parameter("/speed"));
     assertEquals(Optional.empty(), browser.parameter("/none"));
+  }
+
+  @Test
+  void whatIsOfferedIsServedToTheNodesBehindTheBridge() throws Exception {
+    await(() -> offered("far/lights").equals("/far/lights (std_srvs/SetBool)"));
+    await(() -> "std_srvs/srv/SetBool".equals(server.services.get("/far/lights")));
+    assertEquals(Map.of("success", true, "message", "as asked"), response("{\"data\":true}", true));
+    assertEquals(Map.of("success", false, "message", "the robot is stopped"), response("{\"data\":false}", false));
+    assertEquals(false, response("{\"date\":1}", false).get("success"), "what does not fit is refused");
+    assertTrue(offered("echo").contains("/echo is offered already, by a node of the robot"));
+    rfic.close();
+    await(() -> server.services.isEmpty());
+  }
+
+  /** The offer is made again meanwhile, however slow the machine is; the call may so be answered more than once. */
+  private Map<String, Object> response(String arguments, boolean result) throws TreeException {
+    String id = "call:" + calls.incrementAndGet();
+    await(() -> {
+      offered("far/lights");
+      server.tell(
+          "{\"op\":\"call_service\",\"id\":\"" + id + "\",\"service\":\"/far/lights\",\"args\":" + arguments + "}");
+      return answerOf(id).isPresent();
+    });
+    Map<String, Object> response = answerOf(id).orElseThrow();
+    assertEquals(result, response.get("result"));
+    return Trees.object(response.get("values"));
+  }
+
+  private Optional<Map<String, Object>> answerOf(String id) {
+    return server.responses.stream().filter(response -> id.equals(response.get("id"))).findFirst();
+  }
+
+  @SuppressWarnings("unchecked") // handlers are kept by the names of their ports
+  private String offered(String service) {
+    await(() -> context.handlers.containsKey("serve"));
+    try {
+      ServiceGrant grant = ((CallHandler<ServiceOffer, ServiceGrant>) context.handlers.get("serve"))
+          .handle(new Asked(new ServiceOffer(service, "std_srvs/SetBool", RosbridgeRficTest::answer)));
+      return grant.name() + " (" + grant.type() + ")";
+    } catch (CallException e) {
+      return e.getMessage();
+    } catch (InterruptedException e) {
+      throw new AssertionError(e);
+    }
+  }
+
+  private static CompletionStage<CallOutcome<ServiceReply>> answer(DynamicRecord request, String caller) {
+    return CompletableFuture.completedStage(request.field("data").equals(Optional.of(new FieldValue.Flag(true)))
+        ? new CallOutcome.Replied<>(new ServiceReply(new MapRecord("far",
+            Map.of("success", new FieldValue.Flag(true), "message", new FieldValue.Text("as asked")))))
+        : new CallOutcome.Failed<>("the robot is stopped"));
+  }
+
+  private record Asked(ServiceOffer request) implements CallHandler.Invocation<ServiceOffer> {
+    @Override
+    public long deadlineNanos() {
+      return System.nanoTime() + PATIENCE_NANOS;
+    }
+
+    @Override
+    public void progress(double fraction, String message) {
+      // an offer has no progress
+    }
+
+    @Override
+    public void feedback(DynamicRecord record) {
+      // nor feedback
+    }
   }
 
   private int asked(String question) {

@@ -31,6 +31,11 @@ final class RosbridgeServer implements WebCaller, AutoCloseable {
   private static final Map<String, String> TOPICS = Map.of("/odom", "nav_msgs/Odometry", "/scan",
       "sensor_msgs/LaserScan", "/cmd_vel", "geometry_msgs/Twist");
 
+  private static final Map<String, Object> SET_BOOL = Map.of("type", "std_srvs/SetBoolRequest", "fieldnames",
+      List.of("data"), "fieldtypes", List.of("bool"), "fieldarraylen", List.of(-1));
+  private static final Map<String, Object> SET_BOOL_ANSWER = Map.of("type", "std_srvs/SetBoolResponse", "fieldnames",
+      List.of("success", "message"), "fieldtypes", List.of("bool", "string"), "fieldarraylen", List.of(-1, -1));
+
   /** A subscription of a client. */
   record Subscription(WebServerLink link, String topic, String compression) {}
 
@@ -39,6 +44,9 @@ final class RosbridgeServer implements WebCaller, AutoCloseable {
   final Map<String, String> advertised = new ConcurrentHashMap<>();
   final Queue<Map<String, Object>> said = new ConcurrentLinkedQueue<>();
   final Map<String, String> parameters = new ConcurrentHashMap<>();
+  /** The services that clients offer, with their types. */
+  final Map<String, String> services = new ConcurrentHashMap<>();
+  final Queue<Map<String, Object>> responses = new ConcurrentLinkedQueue<>();
   /** How often each service was called. */
   final Map<String, AtomicInteger> asked = new ConcurrentHashMap<>();
   final List<String> nodes = new CopyOnWriteArrayList<>(List.of("/base", "/rosbridge_websocket"));
@@ -125,6 +133,9 @@ final class RosbridgeServer implements WebCaller, AutoCloseable {
         case "advertise" -> advertised.put(link.hashCode() + " " + topic, Trees.text(message, "type"));
         case "unadvertise" -> advertised.remove(link.hashCode() + " " + topic);
         case "publish" -> said.add(Trees.object(message.get("msg")));
+        case "advertise_service" -> services.put(Trees.text(message, "service"), Trees.text(message, "type"));
+        case "unadvertise_service" -> services.remove(Trees.text(message, "service"));
+        case "service_response" -> responses.add(message);
         case "call_service" -> link.say(JsonText.write(answer(message)));
         case String other -> throw new IllegalStateException(other);
       }
@@ -145,6 +156,8 @@ final class RosbridgeServer implements WebCaller, AutoCloseable {
       case "nodes" -> answer.put("values", Map.of("nodes", nodes));
       case "node_details" -> answer.put("values", details(Trees.text(arguments, "node")));
       case "message_details" -> answer.put("values", Map.of("typedefs", types(Trees.text(arguments, "type"))));
+      case "service_request_details" -> answer.put("values", Map.of("typedefs", List.of(SET_BOOL)));
+      case "service_response_details" -> answer.put("values", Map.of("typedefs", List.of(SET_BOOL_ANSWER)));
       case "services" -> answer.put("values", Map.of("services", List.of("/echo")));
       case "service_type" -> answer.put("values", Map.of("type", "odd_srvs/Echo"));
       case "get_param_names" -> answer.put("values", Map.of("names", List.copyOf(parameters.keySet())));

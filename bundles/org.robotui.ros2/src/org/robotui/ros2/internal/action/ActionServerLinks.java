@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
-import java.util.concurrent.ThreadFactory;
 import org.robotui.message.DynamicCodec;
 import org.robotui.message.DynamicMessage;
 import org.robotui.message.MessageException;
@@ -19,7 +18,7 @@ import org.robotui.ros2.Ros2ServiceServer;
 import org.robotui.ros2.Ros2Types.TypedAction;
 import org.robotui.ros2.action.Ros2ActionServer;
 import org.robotui.ros2.action.Ros2GoalEnd;
-import org.robotui.ros2.action.Ros2GoalWorker;
+import org.robotui.ros2.action.Ros2GoalTaker;
 import org.robotui.ros2.internal.msgs.CancelGoalAsk;
 import org.robotui.ros2.internal.msgs.CancelGoalReply;
 import org.robotui.ros2.internal.msgs.WireGoalInfo;
@@ -30,7 +29,7 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /** The three services and two topics of an action, from the server's side. */
-public final class ActionServerLinks implements Ros2ActionServer {
+public final class ActionServerLinks implements Ros2ActionServer, ServerGoal.Voice {
 
   private static final Logger LOG = LoggerFactory.getLogger(ActionServerLinks.class);
   private static final int MOST_GOALS = 100;
@@ -42,8 +41,7 @@ public final class ActionServerLinks implements Ros2ActionServer {
 
   private final Ros2Node node;
   private final Ros2Name name;
-  private final ThreadFactory threads;
-  private final Ros2GoalWorker worker;
+  private final Ros2GoalTaker taker;
   private final DynamicCodec sent;
   private final DynamicCodec got;
   private final DynamicCodec told;
@@ -58,22 +56,20 @@ public final class ActionServerLinks implements Ros2ActionServer {
    * @param node the node
    * @param action the action's name
    * @param type the action's type
-   * @param threads makes one thread for each goal
-   * @param worker works on goals
+   * @param taker works on goals
    */
-  public ActionServerLinks(Ros2Node node, String action, TypedAction type, ThreadFactory threads,
-      Ros2GoalWorker worker) {
+  public ActionServerLinks(Ros2Node node, String action, TypedAction type, Ros2GoalTaker taker) {
     this.node = node;
     this.name = node.names().service(action);
-    this.threads = threads;
-    this.worker = worker;
+    this.taker = taker;
     sent = new DynamicCodec(type.schema().sendGoal().response());
     got = new DynamicCodec(type.schema().getResult().response());
     told = new DynamicCodec(type.schema().feedbackMessage());
     ActionNames names = new ActionNames(name, type);
     feedback = node.publisher(names.feedback(), names.telling(), QosProfiles.DEFAULT);
     status = node.publisher(names.status(), Ros2Codec.of(WireGoalStatusArray.class), QosProfiles.LATCHED);
-    services.add(node.serviceServer(names.sendGoal(), names.sending(), (request, caller) -> take(request)));
+    services.add(node.deferringServer(names.sendGoal(), names.sending(), QosProfiles.SERVICES,
+        (request, caller) -> take(request)));
     services.add(node.deferringServer(names.getResult(), names.getting(), QosProfiles.SERVICES,
         (request, caller) -> result(request)));
     services
@@ -93,18 +89,25 @@ public final class ActionServerLinks implements Ros2ActionServer {
     }
   }
 
-  private DynamicMessage take(DynamicMessage request) {
+  private CompletionStage<DynamicMessage> take(DynamicMessage request) {
     String id = GoalIds.of(request).orElse(NO_ID);
     DynamicMessage wanted = GoalIds.inner(request, "goal").orElseThrow();
     long now = node.clock().nowNanos();
-    ServerGoal goal = new ServerGoal(id, now, values -> tell(id, values));
-    boolean accepted = worker.accept(wanted) && add(goal);
-    if (accepted) {
-      Thread thread = threads.newThread(() -> work(goal, wanted));
-      thread.setName("goal of " + name);
-      thread.start();
+    ServerGoal goal = new ServerGoal(id, now, this);
+    if (!add(goal)) {
+      return CompletableFuture.completedStage(build(sent, Map.of("accepted", false, "stamp", now)));
     }
-    return build(sent, Map.of("accepted", accepted, "stamp", now));
+    begin(goal, wanted);
+    return goal.decision().thenApply(accepted -> build(sent, Map.of("accepted", accepted, "stamp", now)));
+  }
+
+  private void begin(ServerGoal goal, DynamicMessage wanted) {
+    try {
+      goal.cancelledBy(taker.take(wanted, goal));
+    } catch (RuntimeException e) {
+      LOG.error("a goal of {} could not be begun with", name, e);
+      goal.end(Ros2GoalEnd.REJECTED, Map.of());
+    }
   }
 
   private synchronized boolean add(ServerGoal goal) {
@@ -113,37 +116,35 @@ public final class ActionServerLinks implements Ros2ActionServer {
     return goals.size() < MOST_GOALS && goals.putIfAbsent(goal.id(), goal) == null;
   }
 
-  private void tell(String id, Map<String, ?> values) {
+  @Override
+  public void feedback(String id, Object values) {
     feedback.publish(build(told, Map.of("goal_id", Map.of("uuid", GoalIds.bytes(id)), "feedback", values)));
   }
 
-  private void work(ServerGoal goal, DynamicMessage wanted) {
-    goal.executing();
-    publish();
-    Ros2GoalWorker.End end = new Ros2GoalWorker.End(Ros2GoalEnd.ABORTED, Map.of());
-    try {
-      end = worker.work(wanted, goal);
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-    } catch (RuntimeException e) {
-      LOG.error("work on a goal of {} failed", name, e);
-    }
-    int number = GoalStatuses.of(end.end());
-    goal.end(number);
-    publish();
-    goal.result().complete(build(got, Map.of("status", number, "result", end.result())));
+  @Override
+  public DynamicMessage result(int number, Object values) {
+    return build(got, Map.of("status", number, "result", values));
   }
 
-  private synchronized void publish() {
-    status.publish(new WireGoalStatusArray(goals.values().stream()
-        .map(goal -> new WireGoalStatus(new WireGoalInfo(GoalIds.wire(goal.id()), goal.stamp()), goal.status()))
-        .toList()));
+  @Override
+  public void changed() {
+    synchronized (status) {
+      status.publish(new WireGoalStatusArray(accepted().stream()
+          .map(goal -> new WireGoalStatus(new WireGoalInfo(GoalIds.wire(goal.id()), goal.stamp()), goal.status()))
+          .toList()));
+    }
+  }
+
+  /** Those of which their clients know that they are accepted. */
+  private synchronized List<ServerGoal> accepted() {
+    return goals.values().stream().filter(goal -> goal.decision().getNow(false)).toList();
   }
 
   /** A goal that is not known has status 0. */
   private synchronized CompletionStage<DynamicMessage> result(DynamicMessage request) {
     ServerGoal goal = GoalIds.of(request).map(goals::get).orElse(null);
-    return goal == null ? CompletableFuture.completedStage(build(got, Map.of("status", 0)))
+    return goal == null || !goal.decision().getNow(false)
+        ? CompletableFuture.completedStage(build(got, Map.of("status", 0)))
         : goal.result().minimalCompletionStage();
   }
 
@@ -154,13 +155,13 @@ public final class ActionServerLinks implements Ros2ActionServer {
     List<ServerGoal> meant = meant(id, until);
     List<WireGoalInfo> ending = meant.stream().filter(ServerGoal::cancel)
         .map(goal -> new WireGoalInfo(GoalIds.wire(goal.id()), goal.stamp())).toList();
-    publish();
+    changed();
     boolean unknown = meant.isEmpty() && !id.equals(NO_ID);
     return new CancelGoalReply(unknown ? ERROR_UNKNOWN : ending.isEmpty() ? ERROR_REJECTED : 0, ending);
   }
 
   private synchronized List<ServerGoal> meant(String id, long until) {
-    return goals.values().stream().filter(goal -> goal.id().equals(id)
+    return accepted().stream().filter(goal -> goal.id().equals(id)
         || id.equals(NO_ID) && until == 0 || until > 0 && goal.stamp() <= until).toList();
   }
 

@@ -6,6 +6,8 @@ import org.robotui.ros2.action.Ros2GoalEnd;
 /** The numbers of {@code action_msgs/msg/GoalStatus}. */
 final class GoalStatuses {
 
+  /** The client does not know yet whether it is accepted. */
+  static final int UNDECIDED = 0;
   static final int ACCEPTED = 1;
   static final int EXECUTING = 2;
   static final int CANCELING = 3;

@@ -1,26 +1,38 @@
 package org.robotui.ros2.internal.action;
 
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
-import java.util.function.Consumer;
 import org.robotui.message.DynamicMessage;
-import org.robotui.ros2.action.Ros2GoalWorker;
+import org.robotui.ros2.action.Ros2GoalEnd;
+import org.robotui.ros2.action.Ros2GoalTaker;
 
 /** A goal that we work on, or did. */
-final class ServerGoal implements Ros2GoalWorker.Running {
+final class ServerGoal implements Ros2GoalTaker.Taken {
+
+  /** Tells clients; values are maps or messages. */
+  interface Voice {
+    void changed();
+
+    void feedback(String id, Object values);
+
+    DynamicMessage result(int status, Object values);
+  }
 
   private final String id;
   private final long stamp;
-  private final Consumer<Map<String, ?>> feedback;
+  private final Voice voice;
+  private final CompletableFuture<Boolean> decision = new CompletableFuture<>();
   private final CompletableFuture<DynamicMessage> result = new CompletableFuture<>();
-  private volatile int status = GoalStatuses.ACCEPTED;
+  private int status = GoalStatuses.UNDECIDED;
+  private boolean cancelled;
+  private Optional<Runnable> cancelling = Optional.empty();
   private volatile long ended = Long.MAX_VALUE;
-  private volatile boolean cancelled;
 
-  ServerGoal(String id, long stamp, Consumer<Map<String, ?>> feedback) {
+  ServerGoal(String id, long stamp, Voice voice) {
     this.id = id;
     this.stamp = stamp;
-    this.feedback = feedback;
+    this.voice = voice;
   }
 
   String id() {
@@ -31,11 +43,11 @@ final class ServerGoal implements Ros2GoalWorker.Running {
     return stamp;
   }
 
-  int status() {
+  synchronized int status() {
     return status;
   }
 
-  boolean live() {
+  synchronized boolean live() {
     return status <= GoalStatuses.CANCELING;
   }
 
@@ -43,22 +55,9 @@ final class ServerGoal implements Ros2GoalWorker.Running {
     return ended;
   }
 
-  synchronized void executing() {
-    status = cancelled ? GoalStatuses.CANCELING : GoalStatuses.EXECUTING;
-  }
-
-  /** Asks for the end; answers whether the goal can still be cancelled. */
-  synchronized boolean cancel() {
-    if (live()) {
-      cancelled = true;
-      status = GoalStatuses.CANCELING;
-    }
-    return live();
-  }
-
-  synchronized void end(int number) {
-    status = number;
-    ended = System.nanoTime();
+  /** Completes with whether it is accepted. */
+  CompletableFuture<Boolean> decision() {
+    return decision;
   }
 
   CompletableFuture<DynamicMessage> result() {
@@ -66,12 +65,80 @@ final class ServerGoal implements Ros2GoalWorker.Running {
   }
 
   @Override
-  public boolean cancelled() {
-    return cancelled;
+  public void accept() {
+    synchronized (this) {
+      if (status != GoalStatuses.UNDECIDED) {
+        return;
+      }
+      status = cancelled ? GoalStatuses.CANCELING : GoalStatuses.EXECUTING;
+    }
+    decision.complete(true);
+    voice.changed();
+  }
+
+  /** A cancellation that came meanwhile is passed on. */
+  void cancelledBy(Runnable way) {
+    boolean late;
+    synchronized (this) {
+      late = cancelled && live();
+      cancelling = late ? Optional.empty() : Optional.of(way);
+    }
+    if (late) {
+      way.run();
+    }
+  }
+
+  /** Asks for the end; answers whether the goal can still be cancelled. */
+  boolean cancel() {
+    Optional<Runnable> way;
+    synchronized (this) {
+      if (!live()) {
+        return false;
+      }
+      cancelled = true;
+      status = status == GoalStatuses.UNDECIDED ? status : GoalStatuses.CANCELING;
+      way = cancelling;
+      cancelling = Optional.empty();
+    }
+    way.ifPresent(Runnable::run);
+    return true;
+  }
+
+  /** Tells how it gets on. */
+  void tell(Object values) {
+    accept();
+    if (live()) {
+      voice.feedback(id, values);
+    }
   }
 
   @Override
-  public void feedback(Map<String, ?> values) {
-    feedback.accept(values);
+  public void feedback(DynamicMessage feedback) {
+    tell(feedback);
+  }
+
+  @Override
+  public void end(Ros2GoalEnd end, Optional<DynamicMessage> value) {
+    end(end, value.<Object>map(message -> message).orElse(Map.of()));
+  }
+
+  void end(Ros2GoalEnd end, Object values) {
+    if (end != Ros2GoalEnd.REJECTED) {
+      accept();
+    }
+    int number;
+    synchronized (this) {
+      if (!live()) {
+        return;
+      }
+      number = GoalStatuses.of(end);
+      status = number;
+      ended = System.nanoTime();
+    }
+    if (decision.complete(false)) {
+      return;
+    }
+    voice.changed();
+    result.complete(voice.result(number, values));
   }
 }

@@ -2,6 +2,9 @@ package org.robotui.rfic.ros.internal.graph;
 
 import java.io.IOException;
 import java.time.Duration;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
@@ -16,12 +19,14 @@ import org.robotui.message.MessageRegistry;
 import org.robotui.message.topic.ActionCalls;
 import org.robotui.message.topic.DescriptionPort;
 import org.robotui.message.topic.RobotTopics;
+import org.robotui.message.topic.ServedActions;
 import org.robotui.message.topic.ServedServices;
 import org.robotui.message.topic.TopicClient;
 import org.robotui.message.topic.TopicGraph;
 import org.robotui.message.topic.TopicPorts;
 import org.robotui.net.call.Outcome;
 import org.robotui.rfic.ros.internal.RosSettings;
+import org.robotui.rfic.ros.internal.call.RosActionHosting;
 import org.robotui.rfic.ros.internal.call.RosActionRoute;
 import org.robotui.rfic.ros.internal.call.RosBrowser;
 import org.robotui.rfic.ros.internal.call.RosHosting;
@@ -31,6 +36,7 @@ import org.robotui.rfic.ros.internal.convert.RecordDecoder;
 import org.robotui.ros.GraphName;
 import org.robotui.ros.NodeOptions;
 import org.robotui.ros.RosNode;
+import org.robotui.ros.action.ActionWire;
 
 /** One open node, and all that is offered through it. */
 public final class RosSession implements RobotSession {
@@ -48,6 +54,8 @@ public final class RosSession implements RobotSession {
   private final Offer services;
   private final ServedServices served;
   private final Offer serve;
+  private final ServedActions<ActionWire> servedActions;
+  private final Offer serveAction;
   private final ActionCalls actions;
   private final Offer goals;
   private final RosTunables tunables;
@@ -79,6 +87,8 @@ public final class RosSession implements RobotSession {
     this.services = context.offers().call(TopicPorts.SERVICES, new RosServices(node, registry));
     this.served = new ServedServices(new RosHosting(node, registry), settings.topics());
     this.serve = context.offers().call(TopicPorts.SERVE, served);
+    this.servedActions = new ServedActions<>(new RosActionHosting(node, registry), settings.topics());
+    this.serveAction = context.offers().call(TopicPorts.SERVE_ACTION, servedActions);
     this.actions = new ActionCalls(action -> RosActionRoute.open(node, action, registry, context.threads()));
     this.goals = context.offers().call(TopicPorts.ACTIONS, actions);
     this.tunables = new RosTunables(node);
@@ -97,6 +107,7 @@ public final class RosSession implements RobotSession {
       }
       topics.tick();
       served.tick();
+      servedActions.tick();
       description.tick();
       tunables.tick();
       try {
@@ -112,9 +123,19 @@ public final class RosSession implements RobotSession {
 
   private void look() {
     switch (master.graph(() -> SharedGraph.ask(node), System.nanoTime(), FRESH.toNanos())) {
-      case Outcome.Done<SharedGraph> d -> seen(GraphSnapshot.of(d.value(), node.name().text()));
+      case Outcome.Done<SharedGraph> d -> seen(unserved(GraphSnapshot.of(d.value(), node.name().text())));
       case Outcome<SharedGraph> other -> verdict.unanswered(other, topics.flowing()).ifPresent(context.link()::report);
     }
+  }
+
+  /**
+   * Without the topics on which clients of our own actions speak: rospy drops a link of a node when the same node makes
+   * another one for the same topic, so that whoever looks at them would cut off the server.
+   */
+  private TopicGraph unserved(TopicGraph snapshot) {
+    Map<String, String> published = new HashMap<>(snapshot.published());
+    servedActions.names().forEach(name -> published.keySet().removeAll(List.of(name + "/goal", name + "/cancel")));
+    return new TopicGraph(published, snapshot.subscribed());
   }
 
   private void seen(TopicGraph snapshot) {
@@ -134,6 +155,8 @@ public final class RosSession implements RobotSession {
     services.close();
     serve.close();
     served.close();
+    serveAction.close();
+    servedActions.close();
     goals.close();
     actions.close();
     tunables.close();

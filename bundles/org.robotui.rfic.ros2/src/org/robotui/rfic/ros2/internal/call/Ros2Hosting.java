@@ -1,16 +1,13 @@
 package org.robotui.rfic.ros2.internal.call;
 
-import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import org.robotui.api.port.Offer;
-import org.robotui.message.DynamicCodec;
 import org.robotui.message.DynamicMessage;
-import org.robotui.message.MessageException;
 import org.robotui.message.SchemaLookup;
 import org.robotui.message.ServiceSchema;
 import org.robotui.message.description.TypeName;
 import org.robotui.message.topic.ServiceHosting;
+import org.robotui.message.topic.ServiceRefusals;
 import org.robotui.net.call.Outcome;
 import org.robotui.ros2.QosProfiles;
 import org.robotui.ros2.Ros2Node;
@@ -25,9 +22,6 @@ import org.robotui.ros2.name.Ros2Name;
  * @param node offers them
  */
 public record Ros2Hosting(Ros2Node node) implements ServiceHosting {
-  private static final String SUCCESS = "success";
-  private static final List<String> REASONS = List.of("message", "status_message", "reason");
-
   @Override
   public SchemaLookup<ServiceSchema> schema(String type) {
     return name(type).map(name -> node.context().types().registry().service(name, Optional.empty()))
@@ -53,21 +47,7 @@ public record Ros2Hosting(Ros2Node node) implements ServiceHosting {
   }
 
   private static DynamicMessage response(Outcome<DynamicMessage> outcome, ServiceSchema schema) {
-    return outcome.toOptional().or(() -> refusal(schema, outcome.reason()))
+    return outcome.toOptional().or(() -> ServiceRefusals.of(schema, outcome.reason()))
         .orElseThrow(() -> new IllegalStateException(outcome.reason()));
-  }
-
-  private static Optional<DynamicMessage> refusal(ServiceSchema schema, String reason) {
-    List<String> fields = schema.response().definition().fields().stream().map(field -> field.name()).toList();
-    Optional<String> said = REASONS.stream().filter(fields::contains).findFirst();
-    if (!fields.contains(SUCCESS) || said.isEmpty()) {
-      return Optional.empty();
-    }
-    try {
-      return Optional
-          .of(new DynamicCodec(schema.response()).build(Map.of(SUCCESS, false, said.get(), reason)));
-    } catch (MessageException e) {
-      return Optional.empty();
-    }
   }
 }

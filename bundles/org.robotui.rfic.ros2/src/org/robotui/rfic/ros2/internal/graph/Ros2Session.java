@@ -16,11 +16,13 @@ import org.robotui.api.session.RobotSession;
 import org.robotui.message.topic.ActionCalls;
 import org.robotui.message.topic.DescriptionTopics;
 import org.robotui.message.topic.RobotTopics;
+import org.robotui.message.topic.ServedActions;
 import org.robotui.message.topic.ServedServices;
 import org.robotui.message.topic.TopicPorts;
 import org.robotui.rfic.ros2.internal.Ros2Settings;
 import org.robotui.rfic.ros2.internal.call.DescriptionParameters;
 import org.robotui.rfic.ros2.internal.call.NodeParameters;
+import org.robotui.rfic.ros2.internal.call.Ros2ActionHosting;
 import org.robotui.rfic.ros2.internal.call.Ros2ActionRoute;
 import org.robotui.rfic.ros2.internal.call.Ros2Browser;
 import org.robotui.rfic.ros2.internal.call.Ros2Hosting;
@@ -28,6 +30,7 @@ import org.robotui.rfic.ros2.internal.call.Ros2Services;
 import org.robotui.rfic.ros2.internal.convert.TypeLookups;
 import org.robotui.ros2.Ros2Context;
 import org.robotui.ros2.Ros2Node;
+import org.robotui.ros2.Ros2Types.TypedAction;
 import org.robotui.ros2.graph.GraphState;
 import org.robotui.rtps.Discovery;
 import org.robotui.rtps.GuidPrefix;
@@ -49,6 +52,7 @@ public final class Ros2Session implements RobotSession {
   private final RobotTopics topics;
   private final DescriptionTopics description;
   private final ServedServices served;
+  private final ServedActions<TypedAction> servedActions;
   private final ActionCalls actions;
   private final NodeParameters parameters;
   private final DescriptionParameters described;
@@ -75,12 +79,14 @@ public final class Ros2Session implements RobotSession {
     this.topics = new RobotTopics(context, settings.topics(), client, domain.transforms());
     this.description = new DescriptionTopics(context, settings.topics(), settings.packages(), client);
     this.served = new ServedServices(new Ros2Hosting(node), settings.topics());
+    this.servedActions = new ServedActions<>(new Ros2ActionHosting(node), settings.topics());
     this.actions = new ActionCalls(action -> Ros2ActionRoute.open(node, action, context.threads()));
     this.parameters = new NodeParameters(node);
     this.described =
         new DescriptionParameters(node, parameters, settings.topics(), description, context.threads());
     offers.add(context.offers().call(TopicPorts.SERVICES, new Ros2Services(node)));
     offers.add(context.offers().call(TopicPorts.SERVE, served));
+    offers.add(context.offers().call(TopicPorts.SERVE_ACTION, servedActions));
     offers.add(context.offers().call(TopicPorts.ACTIONS, actions));
     offers.add(context.offers().browse(TopicPorts.GRAPH, new Ros2Browser(node, parameters)));
   }
@@ -96,6 +102,7 @@ public final class Ros2Session implements RobotSession {
       }
       topics.tick();
       served.tick();
+      servedActions.tick();
       description.tick();
       parameters.tick();
     } while (!stop.getAsBoolean() && !closed.await(CLOCK.toMillis(), TimeUnit.MILLISECONDS));
@@ -149,6 +156,7 @@ public final class Ros2Session implements RobotSession {
     closed.countDown();
     offers.forEach(Offer::close);
     served.close();
+    servedActions.close();
     actions.close();
     lookups.close();
     described.close();

@@ -21,11 +21,13 @@ import org.robotui.data.status.LogEntry;
 import org.robotui.message.payload.RosDefinitions;
 import org.robotui.message.topic.DescriptionTopics;
 import org.robotui.message.topic.RobotTopics;
+import org.robotui.message.topic.ServedServices;
 import org.robotui.message.topic.ServerNotices;
 import org.robotui.message.topic.SharedTransforms;
 import org.robotui.message.topic.TopicPorts;
 import org.robotui.rfic.rosbridge.internal.RosbridgeSettings;
 import org.robotui.rfic.rosbridge.internal.call.BridgeBrowser;
+import org.robotui.rfic.rosbridge.internal.call.BridgeHosting;
 import org.robotui.rfic.rosbridge.internal.call.BridgeServices;
 import org.robotui.rosbridge.RosApi;
 import org.robotui.rosbridge.RosbridgeClient;
@@ -47,6 +49,7 @@ public final class RosbridgeSession implements RobotSession {
   private final BridgeTopics channels;
   private final RobotTopics topics;
   private final DescriptionTopics description;
+  private final ServedServices served;
   private final Publication<LogEntry> status;
   private final List<Offer> offers;
   private RosGraph seen = RosGraph.EMPTY;
@@ -66,9 +69,11 @@ public final class RosbridgeSession implements RobotSession {
             .anyMatch(topic -> topic.startsWith("/" + name + "/"))));
     this.description = new DescriptionTopics(context, settings.topics(),
         DescriptionTopics.packages(System.getenv()), channels);
+    this.served = new ServedServices(new BridgeHosting(client, api, channels), settings.topics());
     this.status = context.offers().stream(STATUS, Demand.IGNORED);
     this.offers = List.of(status,
         context.offers().call(TopicPorts.SERVICES, new BridgeServices(client, api, channels)),
+        context.offers().call(TopicPorts.SERVE, served),
         context.offers().browse(TopicPorts.GRAPH, new BridgeBrowser(api, watch)));
   }
 
@@ -115,6 +120,7 @@ public final class RosbridgeSession implements RobotSession {
     }
     channels.tick();
     topics.tick();
+    served.tick();
     description.tick();
     notices.take(entry -> status.publish(entry, Optional.empty()));
     String problem = Stream.of(client.link().trouble(), watch.problem().orElse(""), topics.problem())
@@ -130,6 +136,7 @@ public final class RosbridgeSession implements RobotSession {
     topics.stop();
     watch.close();
     offers.forEach(Offer::close);
+    served.close();
     description.close();
     topics.close();
   }
