@@ -1,4 +1,4 @@
-package org.robotui.rfic.roblets.internal.convert;
+package org.robotui.message.roblets;
 
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -16,6 +16,13 @@ public final class ElementRecord {
 
   private ElementRecord() {}
 
+  /**
+   * An element as a record.
+   *
+   * @param schema the name of the record's type
+   * @param element the element
+   * @return its attributes, its text as {@code text}, and its elements; numbers and flags are such where they look so
+   */
   public static DynamicRecord of(String schema, BodyElement element) {
     Map<String, FieldValue> fields = new LinkedHashMap<>();
     element.attributes().forEach((name, text) -> fields.put(name, value(element, name, text)));
