@@ -24,6 +24,7 @@ with rosbag.Bag(sys.argv[1], "w") as bag:
     for at, (sender, latching, text) in enumerate([("/one", "1", "a"), ("/two", "1", "b"), ("/three", "0", "c"), ("/two", "1", "d")]):
         header = {"callerid": sender, "latching": latching, "topic": "/said", "type": "std_msgs/String",
                   "md5sum": std_msgs.msg.String._md5sum, "message_definition": std_msgs.msg.String._full_text}
+        bag._topic_connections.pop("/said", None)     # which would be the only one of the topic, as this library writes it
         bag.write("/said", std_msgs.msg.String(text), rospy.Time(100 + at / 10), connection_header=header)
     bag.write("/end", std_msgs.msg.String("e"), rospy.Time(400))
 """
