@@ -1,5 +1,5 @@
 """Decodes the cycles of a control in a recording as the stock readers of MCAP do: cycle_decoder.py FILE. Prints a JSON line for each: its number, how many
-before it are said to be missing, its stamp in seconds, and the position of its first joint by name."""
+are said to be missed so far, its stamp in seconds, and the position of its first joint by name."""
 import json
 import sys
 

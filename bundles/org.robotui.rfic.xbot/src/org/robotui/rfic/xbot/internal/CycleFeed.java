@@ -83,19 +83,19 @@ final class CycleFeed implements AutoCloseable {
       if (next.isEmpty()) {
         return;
       }
-      long lost = reader.lost() - before;
-      if (lost > 0) {
-        publication.lost(lost, "cycles were written over before they could be read: the machine is too busy");
+      if (reader.lost() > before) {
+        publication.lost(reader.lost() - before,
+            "cycles were written over before they could be read: the machine is too busy");
       }
-      publish(board, next.get(), toTimeOfDay, lost);
+      publish(board, next.get(), toTimeOfDay, reader.lost());
     }
   }
 
   private void publish(Board board, StateFrame state, long toTimeOfDay, long lost) {
     long stamp = state.sensedNanos() + toTimeOfDay;
     RawMessage message = messages.of(board, state, stamp, lost);
-    message.record().ifPresent(record -> publication.publish(record,
-        Optional.of(new Stamp(stamp, ClockKind.WALL)), state.sensedNanos(), Optional.of(message)));
+    publication.publish(new CycleRecord(message.schema(), message::record),
+        Optional.of(new Stamp(stamp, ClockKind.WALL)), state.sensedNanos(), Optional.of(message));
   }
 
   @Override

@@ -35,7 +35,7 @@ final class CycleMessages {
       # References are what went to the hardware, after all limits.
       builtin_interfaces/Time stamp
       uint64 cycle
-      # cycles before this one that are not in the recording
+      # how many cycles before this one were written over before they could be read, since somebody wants them
       uint64 lost
       # 0 well, 1 nothing came in time, 2 fault
       uint8 hardware
@@ -85,7 +85,7 @@ final class CycleMessages {
   /**
    * A cycle as a message.
    *
-   * @param lost how many cycles before it are missing
+   * @param lost how many cycles were missed so far
    */
   RawMessage of(Board board, StateFrame state, long stampNanos, long lost) {
     out.clear();
