@@ -32,7 +32,7 @@ def test_every_cycle_of_all_joints_is_in_the_file(processes, environment, tmp_pa
     dropped = last(recording)["dropped"]
     missing = sum(after[0] - before[0] - 1 for before, after in zip(cycles, cycles[1:]))
     assert missing == cycles[-1][1] - cycles[0][1] + dropped, "what is missing is said: what could not be read in time, and what could not be taken"
-    assert len(cycles) > 0.9 * (cycles[-1][0] - cycles[0][0]), f"{len(cycles)} cycles"
+    assert len(cycles) > 2000, "which a machine that has nothing else to do sends in two seconds"
     assert all(before[2] < after[2] for before, after in zip(cycles, cycles[1:])), "stamps follow each other"
     assert set(cycles[0][3]) == set(control.joints())
     found = subprocess.run([ROOT / "robotui", "log", "find", file, "--where", "cycles cycle > 0", "--json"], capture_output=True, text=True, timeout=90)

@@ -22,8 +22,8 @@ import org.slf4j.LoggerFactory;
  */
 final class CycleFeed implements AutoCloseable {
   private static final Duration PAUSE = Duration.ofMillis(5);
-  /** So many at a time, so that those who take them come after, also where many waited. */
-  private static final int MOST_AT_ONCE = 64;
+  /** So many at a time, half of what core keeps for those who take them, so that they come after. */
+  private static final int MOST_AT_ONCE = 512;
   private static final Logger LOG = LoggerFactory.getLogger(CycleFeed.class);
 
   private final RtClient client;
