@@ -2,11 +2,9 @@ package org.robotui.message.roblets;
 
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.robotui.data.record.DynamicRecord;
-import org.robotui.data.record.FieldShape;
 import org.robotui.data.record.RecordShape;
 import org.robotui.message.data.MessageForm;
 import org.robotui.message.data.RobletMessages;
@@ -65,26 +63,11 @@ public record RobletFormat(String type, Optional<RecordShape> shape) implements 
     String name = type.isEmpty() ? ENCODING : type;
     try {
       BodyForm form = BodyForm.of(new BodyXml().read(definition.getBytes(StandardCharsets.UTF_8)));
-      return new RobletFormat(name, shape(name, form.fields()));
+      return new RobletFormat(name,
+          Optional.of(ElementRecord.shape(name, form)).filter(known -> !known.fields().isEmpty()));
     } catch (BodyXmlException | IllegalArgumentException e) {
       return new RobletFormat(name, Optional.empty());
     }
-  }
-
-  /** Fields within elements are left to the messages. */
-  private static Optional<RecordShape> shape(String type, List<BodyForm.Field> fields) {
-    List<RecordShape.Field> plain = fields.stream().filter(field -> !field.name().contains("/"))
-        .map(field -> new RecordShape.Field(field.name(), shape(field.kind()))).toList();
-    return Optional.of(new RecordShape(type, plain, List.of())).filter(any -> !plain.isEmpty());
-  }
-
-  private static FieldShape shape(String kind) {
-    return switch (kind) {
-      case "number" -> new FieldShape.Real(Double.SIZE);
-      case "whole" -> new FieldShape.Whole(Long.SIZE, true);
-      case "flag" -> new FieldShape.Flag();
-      default -> new FieldShape.Text();
-    };
   }
 
   @Override
