@@ -75,8 +75,9 @@ class RobletFormatTest {
   void whatIsNoDatagramIsRefused() {
     assertThrows(IllegalArgumentException.class,
         () -> format(POSITION).read(ByteBuffer.wrap("<x/>".getBytes(StandardCharsets.UTF_8))));
-    String wrong = assertThrows(IllegalArgumentException.class, () -> data(format(POSITION), BodyElement.of("position")))
-        .getMessage();
+    String wrong =
+        assertThrows(IllegalArgumentException.class, () -> data(format(POSITION), BodyElement.of("position")))
+            .getMessage();
     assertEquals("roblets.gpsfix has no finite number 'latitude'", wrong);
   }
 }

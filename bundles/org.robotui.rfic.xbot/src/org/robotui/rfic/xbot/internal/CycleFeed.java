@@ -17,8 +17,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Every cycle of a control as a stream, while somebody wants that, on a thread of its own: whatever else keeps a session
- * waiting costs no cycle. The control is not asked for anything; its memory is looked into.
+ * Every cycle of a control as a stream, while somebody wants that, on a thread of its own: whatever else keeps a
+ * session waiting costs no cycle. The control is not asked for anything; its memory is looked into.
  */
 final class CycleFeed implements AutoCloseable {
   private static final Duration PAUSE = Duration.ofMillis(5);

@@ -31,7 +31,7 @@ final class CycleMessages {
   private static final String TYPE = "robotui_msgs/ControlCycle";
   private static final String ENCODING = "cdr";
   private static final String DEFINITION = """
-      # A cycle of a control in real time. Element i of each array is of the joint name[i]; SI units and degrees Celsius.
+      # A cycle of a control in real time. Element i of each array is of the joint name[i]; SI units, degrees Celsius.
       # References are what went to the hardware, after all limits.
       builtin_interfaces/Time stamp
       uint64 cycle

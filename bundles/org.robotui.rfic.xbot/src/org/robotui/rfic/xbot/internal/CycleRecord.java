@@ -9,7 +9,8 @@ import org.robotui.data.record.FieldValue;
 import org.robotui.data.record.MapRecord;
 
 /**
- * A message that is read when somebody asks for a field: who records it needs its bytes alone, a thousand times a second.
+ * A message that is read when somebody asks for a field: who records it needs its bytes alone, a thousand times a
+ * second.
  */
 final class CycleRecord implements DynamicRecord {
   private final String schema;

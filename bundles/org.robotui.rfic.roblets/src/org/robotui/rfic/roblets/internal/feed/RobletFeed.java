@@ -57,7 +57,8 @@ final class RobletFeed implements AutoCloseable {
     RobotFrames frames = shared.frames();
     places |= form.as().equals("odometry") || form.as().equals("pose");
     return switch (form.as()) {
-      case "gpsfix" -> feed(form, GpsFix.class, "where it is on earth", true, (m, at) -> RobletMessages.fix(m, frames.base()));
+      case "gpsfix" -> feed(form, GpsFix.class, "where it is on earth", true,
+          (m, at) -> RobletMessages.fix(m, frames.base()));
       case "heading" -> feed(form, Imu.class, "where its bow points", false,
           (m, at) -> RobletMessages.heading(m, frames.base()));
       case "pose" -> feed(form, PoseEstimate.class, "where it is on the map", true, this::located);
