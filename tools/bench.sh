@@ -15,6 +15,7 @@ cmd_bench() {
   need_packages "The benchmarks" "${PEER_PACKAGES[@]}" || true
   [[ " $names " != *ros2* ]] || { need_packages "The benchmark ros2" "${CYCLONE_PEER_PACKAGES[@]}" && make_ros2_peers; } || true
   [[ " $names " != *bridge* ]] || { need_packages "The benchmark bridge" topic-tools libroscpp-dev libstd-msgs-dev libsensor-msgs-dev; make_ros2_peers; } || true
+  [[ " $names " != *recording* ]] || { need_packages "The benchmark recording" librosbag-dev pluginlib-dev libroscpp-dev libstd-msgs-dev libsensor-msgs-dev; make_ros2_peers; } || true
   [[ $names != *ui* && $names != *scene* ]] || need_packages "Benchmarks of the window" "${WINDOW_PACKAGES[@]}" "${DISPLAY_PACKAGES[@]}" || true
   [[ " $names " != *scene* ]] || need_packages "The benchmark scene" "${SCENE_BENCH_PACKAGES[@]}" || true
   need_product
@@ -54,6 +55,7 @@ run_bench() {
   [[ $name != rt ]] || need_native_benches || return 1
   figures=$(cd "$BENCHES/$name" && ROBOTUI_ROOT=$ROOT ROBOTUI_PLUGINS=$HEADLESS_PRODUCT/plugins ROBOTUI_NATIVE=$NATIVE_BUILD \
     ROBOTUI_WINDOW_PRODUCT=$WINDOW_PRODUCT ROBOTUI_SIMULATOR_PATH=$(simulator_classpath) \
-    ROBOTUI_RCLPY=$(ros2_peer rclpy) ROBOTUI_CYCLONE=$(ros2_peer cyclone) ./run "$@" </dev/null) || return 1
+    ROBOTUI_RCLPY=$(ros2_peer rclpy) ROBOTUI_CYCLONE=$(ros2_peer cyclone) ROBOTUI_RECORDING_PEERS=$(ros2_peer recordings) \
+    ./run "$@" </dev/null) || return 1
   [[ -n $figures ]] && printf '%s\n' "$figures"
 }

@@ -32,7 +32,7 @@ TEXT
 cmd_log() {
   local bundle jar jars=()
   need_product
-  for bundle in org.robotui.rfic.recording org.robotui.recording org.robotui.lcm org.robotui.player org.robotui.ros org.robotui.ros2 org.robotui.rtps org.robotui.message org.robotui.message.data org.robotui.message.lcm \
+  for bundle in org.robotui.rfic.recording org.robotui.recording org.robotui.lcm org.robotui.player org.robotui.ros org.robotui.ros2 org.robotui.rtps org.robotui.message org.robotui.message.data org.robotui.message.lcm org.robotui.message.roblets org.robotui.roblets \
     org.robotui.message.payload org.robotui.message.topic org.robotui.condition org.robotui.api org.robotui.data org.robotui.geometry org.robotui.net org.robotui.web com.fasterxml.jackson.core.jackson-core com.google.protobuf \
     com.github.luben.zstd-jni lz4-java org.apache.commons.commons-compress org.apache.commons.commons-io slf4j.api org.yaml.snakeyaml; do
     jar=$(jar_of "$bundle")

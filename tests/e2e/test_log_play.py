@@ -17,6 +17,30 @@ found = collections.Counter((topic, raw[0], raw[2], hashlib.md5(bytes(raw[1])).h
                             for topic, raw, _ in rosbag.Bag(sys.argv[1]).read_messages(raw=True) if not topic.startswith("/rosout"))
 print("\\n".join(f"{count} {' '.join(key)}" for key, count in sorted(found.items())))
 """
+# Three senders of one topic: each of the first two has said what holds, the third one has not.
+SENDERS = """
+import rosbag, rospy, std_msgs.msg, sys
+with rosbag.Bag(sys.argv[1], "w") as bag:
+    for at, (sender, latching, text) in enumerate([("/one", "1", "a"), ("/two", "1", "b"), ("/three", "0", "c"), ("/two", "1", "d")]):
+        header = {"callerid": sender, "latching": latching, "topic": "/said", "type": "std_msgs/String",
+                  "md5sum": std_msgs.msg.String._md5sum, "message_definition": std_msgs.msg.String._full_text}
+        bag._topic_connections.pop("/said", None)     # which would be the only one of the topic, as this library writes it
+        bag.write("/said", std_msgs.msg.String(text), rospy.Time(100 + at / 10), connection_header=header)
+    bag.write("/end", std_msgs.msg.String("e"), rospy.Time(400))
+"""
+# Subscribes until the last one came, and then anew: what it is told then was kept for it.
+LATE = """
+import rospy, std_msgs.msg
+rospy.init_node("late")
+for wanted in "d", "d":
+    texts = []
+    subscriber = rospy.Subscriber("/said", std_msgs.msg.String, lambda message: texts.append(message.data))
+    while wanted not in texts:
+        rospy.sleep(0.05)
+    rospy.sleep(0.5)                            # for what would come behind
+    subscriber.unregister()
+print(" ".join(texts), flush=True)
+"""
 
 
 def recording(name):
@@ -53,6 +77,18 @@ def test_the_stock_recorder_of_ros_gets_what_was_recorded(roscore, tmp_path):
     clock = collections.Counter({key: count for key, count in again.items() if key.startswith("/clock ")})
     assert again - clock == there
     assert clock.total() > 100
+
+
+@pytest.mark.parametrize("player", [[ROOT / "robotui", "log", "play"], ["rosbag", "play"]], ids=["robotui", "stock"])
+def test_who_comes_late_gets_the_last_message_of_each_sender_that_latches(roscore, tmp_path, player):
+    bag = tmp_path / "senders.bag"
+    subprocess.run(["/usr/bin/python3", "-c", SENDERS, bag], check=True, timeout=60)
+    late = roscore.start_tool("/usr/bin/python3", "-c", LATE, name="late")
+    wait_for(lambda: "/late" in roscore.nodes(), what="the subscriber")
+    playing = roscore.start_tool(*map(str, player), str(bag), name="player")
+    wait_for(lambda: late.poll() is not None, 60, "what was kept")
+    end(playing)
+    assert sorted(late.out.read_text().split()) == ["a", "d"]
 
 
 def test_a_master_that_is_not_there_is_named(environment):

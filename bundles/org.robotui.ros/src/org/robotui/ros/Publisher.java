@@ -1,6 +1,7 @@
 package org.robotui.ros;
 
 import java.time.Duration;
+import java.util.Optional;
 import java.util.Set;
 
 /**
@@ -17,6 +18,16 @@ public interface Publisher<T> extends AutoCloseable {
    * @param message the message
    */
   void publish(T message);
+
+  /**
+   * Publishes for one of several senders that this publisher stands for, as one that plays a recording does.
+   *
+   * @param message the message
+   * @param keptFor the sender whose last message it is: where the publisher latches, a new subscriber is sent the last
+   * one of each sender, in the order in which they were published, and what was published without a sender is that of
+   * one more; none where the message is not kept
+   */
+  void publish(T message, Optional<String> keptFor);
 
   /**
    * Sends a message next, and drops those that still wait: a stop comes right behind what is on its way already.

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.time.Duration;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -87,6 +88,18 @@ class PubSubTest {
     publisher.publish("map");
     listen(graph.node("listener"), "map", got);
     Eventually.await("the latched message", () -> got.equals(List.of("map")));
+  }
+
+  @Test
+  void aLateSubscriberGetsTheLatchedMessageOfEachSender() throws Exception {
+    List<String> got = new CopyOnWriteArrayList<>();
+    Publisher<String> publisher = graph.node("talker").publisher("map", TEXT, PublisherOptions.latched());
+    publisher.publish("map of one", Optional.of("/one"));
+    publisher.publish("old map of two", Optional.of("/two"));
+    publisher.publish("passing", Optional.empty());
+    publisher.publish("map of two", Optional.of("/two"));
+    listen(graph.node("listener"), "map", got);
+    Eventually.await("both latched messages", () -> got.equals(List.of("map of one", "map of two")));
   }
 
   @Test

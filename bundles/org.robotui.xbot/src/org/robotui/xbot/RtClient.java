@@ -79,6 +79,15 @@ public final class RtClient implements AutoCloseable {
   }
 
   /**
+   * Reads every cycle from now on.
+   *
+   * @return a reader with a place of its own, for one thread
+   */
+  public CycleReader cycles() {
+    return new CycleReader(() -> segments);
+  }
+
+  /**
    * How the loop at the hardware keeps its time.
    *
    * @return counted since that process began

@@ -10,7 +10,7 @@
 namespace robotui::rt::link {
 
 // Rises with every change of what follows; both sides refuse another one.
-inline constexpr std::uint32_t kLayoutVersion = 1;
+inline constexpr std::uint32_t kLayoutVersion = 2;
 inline constexpr std::uint32_t kMagic = 0x54524952;  // "RIRT"
 
 inline constexpr std::uint32_t kMaxJoints = 128;
@@ -20,7 +20,7 @@ inline constexpr std::uint32_t kMaxHosts = 8;
 inline constexpr std::uint32_t kMaxThreads = 8;   // of one host
 inline constexpr std::uint32_t kMaxPlugins = 64;  // of all hosts
 inline constexpr std::uint32_t kMaxChains = 32;
-inline constexpr std::uint32_t kFrames = 16;  // a reader has this many cycles to copy a frame
+inline constexpr std::uint32_t kFrames = 1024;  // who wants every cycle may be so many behind: a second at 1 kHz
 inline constexpr std::uint32_t kBuckets = 96;
 inline constexpr std::uint32_t kNameLength = 64;
 inline constexpr std::uint32_t kTextLength = 512;

@@ -9,8 +9,8 @@ import org.robotui.data.DataType;
 import org.robotui.data.record.DynamicRecord;
 
 /**
- * All conversions by type: types of ROS, common types of RoboFrame, the schemas of Foxglove, which are also a package
- * of ROS, and messages of Gazebo. A type that has none becomes a dynamic record.
+ * All conversions by type: types of ROS, common types of RoboFrame and of roblets, the schemas of Foxglove, which are
+ * also a package of ROS, and messages of Gazebo. A type that has none becomes a dynamic record.
  */
 public final class Adapters {
   private static final int MOST_EVENTS = 500;
@@ -22,7 +22,7 @@ public final class Adapters {
     Map<String, Adapter<?, ?>> all = new HashMap<>();
     List.of(SensorAdapters.all(), CloudAdapters.all(), MotionAdapters.all(), NavigationAdapters.all(),
         StateAdapters.all(),
-        MarkerAdapters.all(), PlanAdapters.all(), RoboframeAdapters.all())
+        MarkerAdapters.all(), PlanAdapters.all(), RoboframeAdapters.all(), RobletMessages.all())
         .forEach(group -> group.forEach(a -> all.put(a.type(), a)));
     FoxgloveAdapters.all().forEach(a -> List.of(FoxgloveAdapters.NAMES, FoxgloveAdapters.ROS_PACKAGE)
         .forEach(prefix -> all.put(prefix + a.type(), a.named(prefix + a.type()))));

@@ -15,7 +15,7 @@ import org.robotui.xbot.Timing;
  * The mapped memory of a running control. It is unmapped when nobody can reach this any more, and not before: reading
  * memory that is not mapped would end the process. After the control has gone it stays as it was.
  */
-public final class Segments {
+public final class Segments implements CycleMemory {
   private static final Cleaner CLEANER = Cleaner.create();
 
   private record Detach(long attachment) implements Runnable {
@@ -51,7 +51,7 @@ public final class Segments {
     }
   }
 
-  /** The number of the newest cycle. */
+  @Override
   public long newestCycle() {
     try {
       return readers.state().newest(state);
@@ -67,6 +67,20 @@ public final class Segments {
     } finally {
       Reference.reachabilityFence(this);
     }
+  }
+
+  @Override
+  public Optional<StateFrame> state(long cycle) {
+    try {
+      return readers.state().read(state, cycle);
+    } finally {
+      Reference.reachabilityFence(this);
+    }
+  }
+
+  @Override
+  public long oldestCycle(long newest) {
+    return readers.state().oldest(newest);
   }
 
   /** How the loop at the hardware keeps its time. */

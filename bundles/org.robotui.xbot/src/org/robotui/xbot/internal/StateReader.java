@@ -50,9 +50,20 @@ public final class StateReader {
   /** The newest frame; none before the first, or where the HAL died while it wrote one. */
   public Optional<StateFrame> read(Memory memory) {
     long cycle = newest(memory);
-    if (cycle == 0) {
-      return Optional.empty();
-    }
+    return cycle == 0 ? Optional.empty() : at(memory, cycle);
+  }
+
+  /** The frame of a cycle; none where another one lies there by now, or is being written. */
+  public Optional<StateFrame> read(Memory memory, long cycle) {
+    return at(memory, cycle).filter(there -> there.cycle() == cycle);
+  }
+
+  /** The oldest cycle that is not about to be written over, while this is the newest one. */
+  public long oldest(long newestCycle) {
+    return Math.max(1, newestCycle - (frames.count() - 2));
+  }
+
+  private Optional<StateFrame> at(Memory memory, long cycle) {
     int at = frames.offset() + (int) Long.remainderUnsigned(cycle, frames.count()) * frames.size();
     return memory.consistent(at + sequence, at + data, frame.size).map(from -> frame(memory, from));
   }

@@ -55,7 +55,7 @@ final class Convert {
             reference.damping()),
         JointMode.ofBits(joint.mode()),
         source(joint.control()),
-        joint.owner() >= 0 && joint.owner() < board.plugins().size() ? board.plugins().get(joint.owner()).name() : "",
+        CycleMessages.owner(board, joint),
         joint.faults(), joint.clamped(), joint.rejected());
   }
 

@@ -18,6 +18,7 @@ import org.robotui.data.joint.JointControl;
 import org.robotui.data.joint.JointModel;
 import org.robotui.data.joint.JointState;
 import org.robotui.data.joint.RobotDescription;
+import org.robotui.data.record.DynamicRecord;
 import org.robotui.data.sensor.Imu;
 
 /** The ports of every real-time control; those of sensors are offered as it has them. */
@@ -36,6 +37,9 @@ final class XbotPorts {
       new StreamPort<>("plugins", ControlPlugins.class, Arity.MANY, "the control plugins and how they are doing");
   static final StreamPort<LoopTiming> TIMING =
       new StreamPort<>("timing", LoopTiming.class, Arity.MANY, "how well the control keeps its time");
+  static final StreamPort<DynamicRecord> CYCLES =
+      new StreamPort<>("cycles", DynamicRecord.class, Arity.MANY,
+          "every cycle of the control with all joints, for recordings and plots");
   static final CommandPort<JointCommand> COMMAND =
       new CommandPort<>("joint_command", JointCommand.class, Arity.MANY,
           "what the joints shall do, while the communication plugin runs");
@@ -46,7 +50,7 @@ final class XbotPorts {
       new CallPort<>("services", ServiceRequest.class, ServiceReply.class,
           Arity.MANY, "stop_plugins stops all plugins: for the stop_call of a robot's safety");
 
-  static final List<Port> ALL = List.of(JOINTS, CONTROL, MODEL, PLUGINS, TIMING, COMMAND, VERBS, SERVICES);
+  static final List<Port> ALL = List.of(JOINTS, CONTROL, MODEL, PLUGINS, TIMING, CYCLES, COMMAND, VERBS, SERVICES);
 
   private XbotPorts() {}
 

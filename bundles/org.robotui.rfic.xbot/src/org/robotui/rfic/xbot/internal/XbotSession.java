@@ -31,6 +31,7 @@ final class XbotSession implements RobotSession {
   private final RtClient client;
   private final Streams streams;
   private final XbotCommands commands;
+  private final CycleFeed cycles;
   private final List<Offer> offers = new ArrayList<>();
   private final LinkChanges link;
   private StateFrame.Hardware hardware = StateFrame.Hardware.OK;
@@ -50,6 +51,7 @@ final class XbotSession implements RobotSession {
         new ModelFrames(context.robot(), description.map(RobotDescription::urdf).orElse("")));
     description.ifPresent(streams::describe);
     this.commands = new XbotCommands(client, context.threads());
+    this.cycles = new CycleFeed(context, client);
     Verbs verbs = new Verbs(client);
     offers.add(context.offers().command(XbotPorts.COMMAND, commands));
     offers.add(context.offers().call(XbotPorts.VERBS, verbs));
@@ -119,6 +121,7 @@ final class XbotSession implements RobotSession {
   public void close() {
     offers.forEach(Offer::close);
     commands.close();
+    cycles.close();
     streams.close();
   }
 }

@@ -4,8 +4,10 @@ import java.io.IOException;
 import java.net.Socket;
 import java.nio.ByteBuffer;
 import java.time.Duration;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Optional;
+import java.util.SequencedMap;
 import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.LongAdder;
@@ -31,6 +33,7 @@ import org.robotui.ros.internal.tcpros.ProtocolException;
 /** One topic this node publishes, with the links to its subscribers. */
 final class Publication<T> implements Publisher<T> {
   private static final long LOOK_NANOS = 500_000;
+  private static final Optional<String> ITSELF = Optional.of("");
 
   private final NodeContext context;
   private final GraphName topic;
@@ -43,7 +46,8 @@ final class Publication<T> implements Publisher<T> {
   private final List<OutLink> links = new CopyOnWriteArrayList<>();
   /** Orders messages against each other and against new links. */
   private final Object sending = new Object();
-  private Optional<ByteBuffer> latched = Optional.empty();
+  /** By sender, in the order in which they came. */
+  private final SequencedMap<String, ByteBuffer> latched = new LinkedHashMap<>();
   private volatile int expectedSize = 256;
   private volatile boolean closed;
 
@@ -58,21 +62,26 @@ final class Publication<T> implements Publisher<T> {
 
   @Override
   public void publish(T message) {
-    send(message, OutLink::offer);
+    publish(message, ITSELF);
+  }
+
+  @Override
+  public void publish(T message, Optional<String> keptFor) {
+    send(message, keptFor, OutLink::offer);
   }
 
   @Override
   public void publishUrgently(T message) {
-    send(message, OutLink::offerUrgently);
+    send(message, ITSELF, OutLink::offerUrgently);
   }
 
-  private void send(T message, BiConsumer<OutLink, ByteBuffer> way) {
+  private void send(T message, Optional<String> keptFor, BiConsumer<OutLink, ByteBuffer> way) {
     if (closed || links.isEmpty() && !options.latch()) {
       return;
     }
     ByteBuffer frame = frame(message);
     synchronized (sending) {
-      latched = options.latch() ? Optional.of(frame) : Optional.empty();
+      keptFor.filter(sender -> options.latch()).ifPresent(sender -> latched.putLast(sender, frame));
       for (OutLink link : links) {
         way.accept(link, frame);
       }
@@ -117,7 +126,7 @@ final class Publication<T> implements Publisher<T> {
   private void add(OutLink link) throws IOException {
     synchronized (sending) {
       links.add(link);
-      latched.ifPresent(link::offer);
+      latched.values().forEach(link::offer);
     }
     if (closed) {
       links.remove(link);

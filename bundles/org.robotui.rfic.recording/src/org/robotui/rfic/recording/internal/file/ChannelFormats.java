@@ -8,6 +8,7 @@ import org.robotui.message.lcm.LcmFormat;
 import org.robotui.message.payload.PayloadFormat;
 import org.robotui.message.payload.PayloadFormats;
 import org.robotui.message.payload.PayloadSource;
+import org.robotui.message.roblets.RobletFormat;
 import org.robotui.recording.RecordedChannel;
 import org.robotui.recording.RecordedSchema;
 
@@ -44,7 +45,10 @@ public final class ChannelFormats {
     byte[] definition = key.schema().definition();
     String text = key.encoding().equals(PROTOBUF) ? Base64.getEncoder().encodeToString(definition)
         : new String(definition, StandardCharsets.UTF_8);
-    return key.encoding().equals(LcmFormat.ENCODING) ? LcmFormat.of(key.schema().name(), text, key.fingerprint())
-        : formats.of(new PayloadSource(key.encoding(), key.schema().name(), key.schema().encoding(), text));
+    return switch (key.encoding()) {
+      case LcmFormat.ENCODING -> LcmFormat.of(key.schema().name(), text, key.fingerprint());
+      case RobletFormat.ENCODING -> RobletFormat.of(key.schema().name(), text);
+      default -> formats.of(new PayloadSource(key.encoding(), key.schema().name(), key.schema().encoding(), text));
+    };
   }
 }

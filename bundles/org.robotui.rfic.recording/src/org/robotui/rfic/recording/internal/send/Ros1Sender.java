@@ -30,6 +30,7 @@ import org.robotui.ros.SystemState;
 final class Ros1Sender implements FrameworkSender {
   static final String ENCODING = "ros1";
   private static final String CLOCK = "/clock";
+  private static final String SENDER = "callerid";
   private static final Duration PATIENCE = Duration.ofSeconds(5);
 
   /** Channels of one topic are one publisher; a node has one type for each topic. */
@@ -109,8 +110,13 @@ final class Ros1Sender implements FrameworkSender {
     String topic = name(message.channel());
     Publisher<RawMessage> publisher = publishers.get(topic);
     if (publisher != null) {
-      publisher.publish(new RawMessage(infos.get(topic), message.data()));
+      publisher.publish(new RawMessage(infos.get(topic), message.data()), holder(message.channel()));
     }
+  }
+
+  /** A topic may have several senders that latch, and others that do not. */
+  private static Optional<String> holder(RecordedChannel channel) {
+    return Optional.of(channel.metadata().getOrDefault(SENDER, "")).filter(sender -> channel.isLatched());
   }
 
   @Override

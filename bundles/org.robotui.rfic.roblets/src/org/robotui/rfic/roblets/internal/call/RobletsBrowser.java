@@ -7,8 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.robotui.api.port.Browser;
 import org.robotui.api.port.CallException;
-import org.robotui.data.record.FieldShape;
-import org.robotui.data.record.RecordShape;
+import org.robotui.message.roblets.ElementRecord;
 import org.robotui.rfic.roblets.internal.feed.BodyFeeds;
 import org.robotui.roblets.tree.BodyForm;
 import org.robotui.roblets.wire.RobletStatus;
@@ -61,7 +60,7 @@ public final class RobletsBrowser implements Browser {
     Optional<BodyForm> form = form(item, status);
     boolean asked = item.kind() == Kind.SERVICE;
     return new Description(item, facts, form.map(RobletsBrowser::text),
-        form.filter(f -> asked).map(f -> shape(item.name(), f)), Optional.empty());
+        form.filter(f -> asked).map(f -> ElementRecord.shape(item.name(), f)), Optional.empty());
   }
 
   private static Optional<BodyForm> form(Item item, RobletStatus status) {
@@ -78,20 +77,6 @@ public final class RobletsBrowser implements Browser {
     form.fields().forEach(field -> text.append(field.kind()).append(' ').append(field.name())
         .append(field.unit().isEmpty() ? "" : "  # " + field.unit()).append('\n'));
     return text.toString();
-  }
-
-  private static RecordShape shape(String name, BodyForm form) {
-    return new RecordShape(name, form.fields().stream().filter(field -> !field.name().contains("/"))
-        .map(field -> new RecordShape.Field(field.name(), shape(field.kind()))).toList(), List.of());
-  }
-
-  private static FieldShape shape(String kind) {
-    return switch (kind) {
-      case "number" -> new FieldShape.Real(Double.SIZE);
-      case "whole" -> new FieldShape.Whole(Long.SIZE, true);
-      case "flag" -> new FieldShape.Flag();
-      default -> new FieldShape.Text();
-    };
   }
 
   @Override

@@ -3,15 +3,18 @@ package org.robotui.rfic.roblets.internal.feed;
 import java.util.Optional;
 import org.robotui.api.port.Arity;
 import org.robotui.api.port.Publication;
+import org.robotui.api.port.RawDefinition;
 import org.robotui.api.port.RawMessage;
 import org.robotui.api.port.RawOrigin;
 import org.robotui.api.port.StreamPort;
 import org.robotui.data.Data;
 import org.robotui.data.Stamp;
 import org.robotui.data.array.Bytes;
-import org.robotui.rfic.roblets.internal.convert.ElementRecord;
+import org.robotui.data.record.DynamicRecord;
+import org.robotui.message.roblets.ElementRecord;
+import org.robotui.message.roblets.RobletFormat;
 import org.robotui.roblets.body.BodyEntry;
-import org.robotui.roblets.tree.BodyElement;
+import org.robotui.roblets.tree.BodyForm;
 
 /**
  * What a roblet says by one name, as a stream.
@@ -19,8 +22,7 @@ import org.robotui.roblets.tree.BodyElement;
  * @param <D> what is made of it
  */
 final class OutputFeed<D extends Data> implements AutoCloseable {
-  private static final String ENCODING = "xml";
-
+  private final Spoken spoken;
   private final String port;
   private final RobletsShared shared;
   private final Making<D> making;
@@ -34,12 +36,25 @@ final class OutputFeed<D extends Data> implements AutoCloseable {
    * @param <D> the data
    */
   interface Making<D> {
-    D of(BodyElement said, Optional<Stamp> stamp);
+    D of(DynamicRecord said, Optional<Stamp> stamp);
+  }
+
+  /** What is said, and by whom. */
+  record Spoken(String roblet, BodyForm form) {
+    String port() {
+      return roblet + "/" + form.name();
+    }
+
+    RawDefinition definition() {
+      return new RawDefinition(RobletFormat.type(roblet, form), RobletFormat.FORM_ENCODING,
+          Bytes.of(RobletFormat.definition(form)));
+    }
   }
 
   /** Placed where it says something only to those who know where the robot is. */
-  OutputFeed(RobletsShared shared, String port, Class<D> type, String help, boolean placed, Making<D> making) {
-    this.port = port;
+  OutputFeed(RobletsShared shared, Spoken spoken, Class<D> type, String help, boolean placed, Making<D> making) {
+    this.spoken = spoken;
+    this.port = spoken.port();
     this.shared = shared;
     this.making = making;
     this.placed = placed;
@@ -58,18 +73,19 @@ final class OutputFeed<D extends Data> implements AutoCloseable {
   void take(BodyEntry entry, byte[] bytes) {
     Optional<Stamp> stamp = shared.stamp(entry.stampNanos());
     try {
-      D value = making.of(entry.element(), stamp);
+      DynamicRecord said = ElementRecord.of(port, entry.element());
+      D value = making.of(said, stamp);
       if (demanded) {
-        publication.publish(value, stamp, entry.receivedNanos(), Optional.of(raw(entry.element(), bytes)));
+        publication.publish(value, stamp, entry.receivedNanos(), Optional.of(raw(said, bytes)));
       }
     } catch (IllegalArgumentException e) {
       publication.lost(1, port + ": " + e.getMessage());
     }
   }
 
-  private RawMessage raw(BodyElement element, byte[] bytes) {
-    return new RawMessage(port, ENCODING, Bytes.wrap(bytes, 0, bytes.length),
-        read -> Optional.of(ElementRecord.of(port, element)), new RawOrigin(port, port, false, Optional::empty));
+  private RawMessage raw(DynamicRecord said, byte[] bytes) {
+    return new RawMessage(port, RobletFormat.ENCODING, Bytes.wrap(bytes, 0, bytes.length), read -> Optional.of(said),
+        new RawOrigin(port, port, false, () -> Optional.of(spoken.definition())));
   }
 
   void lost(String reason) {

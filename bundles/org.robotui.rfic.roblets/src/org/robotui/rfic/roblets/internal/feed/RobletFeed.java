@@ -21,11 +21,9 @@ import org.robotui.data.sensor.Battery;
 import org.robotui.data.sensor.GpsFix;
 import org.robotui.data.sensor.Imu;
 import org.robotui.geometry.RigidTransform;
-import org.robotui.rfic.roblets.internal.convert.ElementRecord;
+import org.robotui.message.data.RobletMessages;
 import org.robotui.rfic.roblets.internal.convert.InputMeaning;
-import org.robotui.rfic.roblets.internal.convert.OutputMeaning;
 import org.robotui.roblets.body.BodyEntry;
-import org.robotui.roblets.tree.BodyElement;
 import org.robotui.roblets.tree.BodyForm;
 import org.robotui.roblets.wire.RobletForm;
 
@@ -59,15 +57,15 @@ final class RobletFeed implements AutoCloseable {
     RobotFrames frames = shared.frames();
     places |= form.as().equals("odometry") || form.as().equals("pose");
     return switch (form.as()) {
-      case "gpsfix" -> feed(form, GpsFix.class, "where it is on earth", true, (m, at) -> OutputMeaning.fix(m, frames));
+      case "gpsfix" -> feed(form, GpsFix.class, "where it is on earth", true,
+          (m, at) -> RobletMessages.fix(m, frames.base()));
       case "heading" -> feed(form, Imu.class, "where its bow points", false,
-          (m, at) -> OutputMeaning.heading(m, frames));
+          (m, at) -> RobletMessages.heading(m, frames.base()));
       case "pose" -> feed(form, PoseEstimate.class, "where it is on the map", true, this::located);
       case "odometry" -> feed(form, Odometry.class, "where it is since it began", false, this::moved);
       case "battery" -> feed(form, Battery.class, "what its battery holds", false,
-          (m, at) -> OutputMeaning.battery(m));
-      default -> feed(form, DynamicRecord.class, "as the roblet says it", false,
-          (m, at) -> ElementRecord.of(port(form), m));
+          (m, at) -> RobletMessages.battery(m));
+      default -> feed(form, DynamicRecord.class, "as the roblet says it", false, (m, at) -> m);
     };
   }
 
@@ -77,18 +75,19 @@ final class RobletFeed implements AutoCloseable {
 
   private <D extends Data> OutputFeed<D> feed(BodyForm form, Class<D> type, String help, boolean placed,
       OutputFeed.Making<D> making) {
-    return new OutputFeed<>(shared, port(form), type, "roblet " + roblet + ": " + help, placed, making);
+    return new OutputFeed<>(shared, new OutputFeed.Spoken(roblet, form), type, "roblet " + roblet + ": " + help, placed,
+        making);
   }
 
-  private Odometry moved(BodyElement said, Optional<Stamp> stamp) {
-    Odometry moved = OutputMeaning.odometry(said, shared.frames());
+  private Odometry moved(DynamicRecord said, Optional<Stamp> stamp) {
+    Odometry moved = RobletMessages.odometry(said, shared.frames().odom(), shared.frames().base());
     feeds.moved(moved.pose());
     shared.tree().placed(moved.frame(), moved.childFrame(), moved.pose(), stamp);
     return moved;
   }
 
-  private PoseEstimate located(BodyElement said, Optional<Stamp> stamp) {
-    PoseEstimate place = OutputMeaning.pose(said, shared.frames());
+  private PoseEstimate located(DynamicRecord said, Optional<Stamp> stamp) {
+    PoseEstimate place = RobletMessages.pose(said, shared.frames().map());
     RigidTransform base = feeds.moved();
     shared.tree().placed(shared.frames().map(), shared.frames().odom(), place.pose().times(base.inverse()), stamp);
     return place;

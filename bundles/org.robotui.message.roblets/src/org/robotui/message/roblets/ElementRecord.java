@@ -1,4 +1,4 @@
-package org.robotui.rfic.roblets.internal.convert;
+package org.robotui.message.roblets;
 
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -6,9 +6,12 @@ import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.stream.Collectors;
 import org.robotui.data.record.DynamicRecord;
+import org.robotui.data.record.FieldShape;
 import org.robotui.data.record.FieldValue;
 import org.robotui.data.record.MapRecord;
+import org.robotui.data.record.RecordShape;
 import org.robotui.roblets.tree.BodyElement;
+import org.robotui.roblets.tree.BodyForm;
 
 /** Elements as records: attributes and elements are fields, several of one name are a list. */
 public final class ElementRecord {
@@ -16,6 +19,13 @@ public final class ElementRecord {
 
   private ElementRecord() {}
 
+  /**
+   * An element as a record.
+   *
+   * @param schema the name of the record's type
+   * @param element the element
+   * @return its attributes, its text as {@code text}, and its elements; numbers and flags are such where they look so
+   */
   public static DynamicRecord of(String schema, BodyElement element) {
     Map<String, FieldValue> fields = new LinkedHashMap<>();
     element.attributes().forEach((name, text) -> fields.put(name, value(element, name, text)));
@@ -27,6 +37,27 @@ public final class ElementRecord {
     children.forEach((name, all) -> fields.putIfAbsent(name, all.size() == 1 ? value(all.getFirst())
         : new FieldValue.Items(all.stream().map(ElementRecord::value).toList())));
     return new MapRecord(schema, fields);
+  }
+
+  /**
+   * The form of such records, without what lies within elements.
+   *
+   * @param schema the name of the record's type
+   * @param form how the message is described
+   * @return its form
+   */
+  public static RecordShape shape(String schema, BodyForm form) {
+    return new RecordShape(schema, form.fields().stream().filter(field -> !field.name().contains("/"))
+        .map(field -> new RecordShape.Field(field.name(), shape(field.kind()))).toList(), List.of());
+  }
+
+  private static FieldShape shape(String kind) {
+    return switch (kind) {
+      case "number" -> new FieldShape.Real(Double.SIZE);
+      case "whole" -> new FieldShape.Whole(Long.SIZE, true);
+      case "flag" -> new FieldShape.Flag();
+      default -> new FieldShape.Text();
+    };
   }
 
   /** An element of which there is nothing but its text is that text. */
