@@ -81,7 +81,8 @@ final class PacedChanges {
       Destination to = next.target.destination();
       long room = left.getOrDefault(to, most);
       if (room > 0) {
-        left.put(to, room - send(outlet, ending, next, room));
+        long sent = send(outlet, ending, next, room);
+        left.put(to, next.next == 0 ? room - sent : 0); // nothing overtakes the rest of a change
         if (next.next == 0) {
           each.remove();
           bytes -= next.change.size();
@@ -90,15 +91,15 @@ final class PacedChanges {
     }
   }
 
+  /** Sends some of a change; answers the bytes that there were of it. */
   private long send(EndpointOutlet outlet, Ending ending, Waiting part, long room) {
     try (EndpointOutlet.Batch batch = outlet.to(part.target.destination())) {
-      long before = part.next;
-      part.next = sending.some(batch, part.target, part.change, before, room);
+      long before = (part.next - 1) * part.target.destination().fragmentSize();
+      part.next = sending.some(batch, part.target, part.change, part.next, room);
       if (part.next == 0) {
         ending.sent(batch, part.target);
       }
-      return part.next == 0 ? part.change.size() - (before - 1) * part.target.destination().fragmentSize()
-          : (part.next - before) * part.target.destination().fragmentSize();
+      return part.change.size() - before;
     }
   }
 
