@@ -53,7 +53,7 @@ final class ServiceWay implements CarriedWay {
   }
 
   @Override
-  public boolean isActive(long now) {
+  public boolean isWaiting() {
     return false;
   }
 
