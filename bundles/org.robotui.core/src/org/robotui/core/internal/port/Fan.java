@@ -79,7 +79,8 @@ public final class Fan<T extends Data> {
   Tap<T> join(Intake intake, Runnable filled) {
     boolean late = type.late() != Late.NONE;
     long since = late ? 0 : sequence.get();
-    Tap<T> tap = new Tap<>(this, reader(intake == Intake.CHOSEN ? Conflation.EVENT : type.conflation(), filled, since), since);
+    Tap<T> tap =
+        new Tap<>(this, reader(intake == Intake.CHOSEN ? Conflation.EVENT : type.conflation(), filled, since), since);
     taps.add(tap);
     return tap;
   }

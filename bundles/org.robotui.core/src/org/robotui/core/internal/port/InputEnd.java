@@ -169,7 +169,8 @@ public final class InputEnd<T extends Data> implements Input<T> {
     Lines<T> now = lines;
     List<Line<T>> again = now.all().stream().filter(l -> l.source().holds()).toList();
     lines = Lines.of(
-        now.all().stream().map(l -> again.contains(l) ? new Line<>(l.source(), l.source().join(intake, filled)) : l).toList(),
+        now.all().stream().map(l -> again.contains(l) ? new Line<>(l.source(), l.source().join(intake, filled)) : l)
+            .toList(),
         now.candidates(), now.reason());
     again.forEach(l -> l.source().leave(l.tap())); // after the new ones have joined, so that the robot is not asked to
                                                    // stop

@@ -26,7 +26,9 @@ final class Sending {
     return change.size();
   }
 
-  /** Sends so many bytes of a change from a fragment on, at least one; answers the next fragment, or 0 after the last. */
+  /**
+   * Sends so many bytes of a change from a fragment on, at least one; answers the next fragment, or 0 after the last.
+   */
   long some(EndpointOutlet.Batch batch, SendTarget target, Change change, long from, long most) {
     int fragmentSize = target.destination().fragmentSize();
     if (change.size() <= fragmentSize) {
