@@ -8,9 +8,10 @@ import java.util.OptionalLong;
 public interface Writer extends Endpoint {
 
   /**
-   * Writes a sample. Never blocks. It is sent on this thread if the network takes it at once; what reliable readers did
-   * not get is sent again later, as long as the history holds it. A history that keeps the last drops its oldest sample
-   * for a new one, acknowledged or not.
+   * Writes a sample. Never blocks. It is sent on this thread if the network takes it at once; of a sample of more than
+   * 128 KiB the rest goes in turns within the next milliseconds, so that the buffers of readers take it, and what is
+   * written meanwhile goes behind it. What reliable readers did not get is sent again later, as long as the history
+   * holds it. A history that keeps the last drops its oldest sample for a new one, acknowledged or not.
    *
    * @param payload the bytes from the encapsulation header on, from position to limit; they are copied, and the
    * position stays

@@ -58,6 +58,16 @@ public interface PortAccess extends AutoCloseable {
   int take(SourceId stream, Consumer<? super Envelope<?>> consumer);
 
   /**
+   * Has something told of each value that has come of a stream and waits to be taken, in the place of what was told
+   * before. Who takes values need not look for them again and again then.
+   *
+   * @param told is called by the thread that received the value, often: it must neither block nor throw
+   */
+  default void onArrival(Runnable told) {
+    // who does not tell is looked at now and then
+  }
+
+  /**
    * The messages of a stream that hold until they are replaced, for who records it from now on.
    *
    * @param stream which

@@ -13,6 +13,7 @@ import org.robotui.data.geometry.Wrench;
 import org.robotui.data.image.CameraInfo;
 import org.robotui.data.image.RawImage;
 import org.robotui.data.joint.JointState;
+import org.robotui.data.marker.MarkerSet;
 import org.robotui.data.navigation.Odometry;
 import org.robotui.data.record.DynamicRecord;
 import org.robotui.data.sensor.Battery;
@@ -56,6 +57,7 @@ final class GazeboAdapters {
             (m, names) -> new VelocityCommand(vector(m.inner("linear")), vector(m.inner("angular")))),
         of("Wrench", Wrench.class,
             (m, names) -> new Wrench(frame(m, names), vector(m.inner("force")), vector(m.inner("torque")))),
+        of("Contacts", MarkerSet.class, GazeboContacts::markers),
         of("Model", JointState.class, (m, names) -> joints(m)),
         of("NavSat", GpsFix.class, GazeboAdapters::fix),
         of("BatteryState", Battery.class, (m, names) -> battery(m)));

@@ -23,6 +23,8 @@ import org.robotui.data.geometry.StampedPose;
 import org.robotui.data.image.CameraInfo;
 import org.robotui.data.image.RawImage;
 import org.robotui.data.joint.JointState;
+import org.robotui.data.marker.Marker;
+import org.robotui.data.marker.MarkerSet;
 import org.robotui.data.navigation.Odometry;
 import org.robotui.data.record.DynamicRecord;
 import org.robotui.data.sensor.Battery;
@@ -66,6 +68,23 @@ class GazeboAdaptersTest {
     assertEquals(new Vector3(1, 2, 3), newer.linear());
     assertEquals(4, newer.angular().z());
     assertEquals(Optional.of(newer), adapter("ignition.msgs.Twist").convert().apply(twist, NAMES));
+  }
+
+  @Test
+  void contactsArePointsAndNormalsInTheWorldThatGoByThemselves() {
+    NamedRecord one = NamedRecord.of("world", NamedRecord.of("name", "yard"), "position",
+        List.of(vector(1, 2, 0), vector(1, 3, 0)), "normal", List.of(vector(0, 0, 1)));
+    MarkerSet set = converted("Contacts", MarkerSet.class, NamedRecord.of("contact", List.of(one)));
+    assertTrue(set.all(), "what touched before touches no more");
+    List<Marker> markers = set.entries().stream().map(entry -> entry.marker().orElseThrow()).toList();
+    assertEquals(List.of(Marker.Type.SPHERE_LIST, Marker.Type.LINE_LIST), markers.stream().map(Marker::type).toList());
+    assertEquals(Floats.of(1, 2, 0, 1, 3, 0), markers.getFirst().points());
+    assertEquals(Floats.of(1, 2, 0, 1, 2, 0.15f), markers.getLast().points());
+    markers.forEach(marker -> {
+      assertEquals(new FrameId("robby", "yard"), marker.frame());
+      assertTrue(marker.lifetimeNanos() > 0);
+    });
+    assertEquals(List.of(), converted("Contacts", MarkerSet.class, NamedRecord.of("contact", List.of())).entries());
   }
 
   @Test

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.locks.Lock;
 import java.util.concurrent.locks.LockSupport;
 import java.util.concurrent.locks.ReentrantLock;
@@ -20,14 +21,14 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Carries values on a thread of its own, so that the threads that receive them never wait. It looks for values every
- * millisecond while some come, and seldom while none do.
+ * Carries values on a thread of its own, so that the threads that receive them never wait. It is woken when values
+ * come, and looks by itself for those that have to wait.
  */
 public final class BridgeRunner implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(BridgeRunner.class);
   private static final long LOOK_NANOS = 200_000_000L;
   private static final long BUSY_PAUSE = 500_000L;
-  private static final long IDLE_PAUSE = 10_000_000L;
+  private static final long IDLE_PAUSE = 50_000_000L;
   private static final long EMPTY_PAUSE = 100_000_000L;
   private static final Duration END = Duration.ofSeconds(2);
 
@@ -35,14 +36,22 @@ public final class BridgeRunner implements AutoCloseable {
   private final CarryContext surroundings;
   private final Map<BridgeConfig, List<CarriedWay>> running = new LinkedHashMap<>();
   private final Thread thread = Thread.ofPlatform().daemon().name("robotui-bridges").unstarted(this::run);
+  private final AtomicBoolean woken = new AtomicBoolean();
   private volatile List<CarriedWay> ways = List.of();
   private volatile boolean closed;
 
   /** Begins at once. */
   public BridgeRunner(Host host, TransformTable transforms) {
     this.host = host;
-    this.surroundings = new CarryContext(host, transforms);
+    this.surroundings = new CarryContext(host, transforms, this::wake);
     thread.start();
+  }
+
+  /** Once until the thread looks, however much comes: waking a thread costs more than to hand over a value. */
+  private void wake() {
+    if (!woken.get() && woken.compareAndSet(false, true)) {
+      LockSupport.unpark(thread);
+    }
   }
 
   /** How the bridges are doing. */
@@ -59,9 +68,12 @@ public final class BridgeRunner implements AutoCloseable {
         ways.forEach(way -> guarded(() -> way.look(now)));
         look = now + LOOK_NANOS;
       }
+      woken.set(false);
       ways.forEach(way -> guarded(() -> way.carry(now)));
-      boolean busy = ways.stream().anyMatch(way -> way.isActive(now));
-      LockSupport.parkNanos(busy ? BUSY_PAUSE : ways.isEmpty() ? EMPTY_PAUSE : IDLE_PAUSE);
+      boolean busy = ways.stream().anyMatch(way -> way.isWaiting());
+      if (!woken.get()) {
+        LockSupport.parkNanos(busy ? BUSY_PAUSE : ways.isEmpty() ? EMPTY_PAUSE : IDLE_PAUSE);
+      }
     }
     ways.forEach(way -> guarded(way::close));
   }

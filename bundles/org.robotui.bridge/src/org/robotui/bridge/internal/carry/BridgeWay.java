@@ -53,8 +53,8 @@ final class BridgeWay implements CarriedWay {
   }
 
   @Override
-  public boolean isActive(long now) {
-    return now - active < ACTIVE || !waiting.isEmpty();
+  public boolean isWaiting() {
+    return !waiting.isEmpty();
   }
 
   /** Opens it anew where a robot UI has come, gone or been replaced, and says how it is doing. */

@@ -7,8 +7,8 @@ interface CarriedWay extends AutoCloseable {
   /** How it is doing. */
   BridgeStatus status();
 
-  /** Whether something came lately, so that it is worth looking for the next at once. */
-  boolean isActive(long now);
+  /** Whether something waits for its time, so that it is worth looking again at once. */
+  boolean isWaiting();
 
   /** Follows what has come and gone. */
   void look(long now);

@@ -13,8 +13,9 @@ import org.robotui.bridge.internal.TransformTable;
  *
  * @param host the robots
  * @param transforms what is installed
+ * @param arrival is run when a value waits to be carried, by the thread that received it
  */
-record CarryContext(Host host, TransformTable transforms) {
+record CarryContext(Host host, TransformTable transforms, Runnable arrival) {
   Optional<Ruic> ruic(BridgeEnd end) {
     return host.ruics().stream().filter(ruic -> ruic.name().equals(end.ruic())).findFirst();
   }

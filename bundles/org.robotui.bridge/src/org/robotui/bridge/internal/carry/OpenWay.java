@@ -61,6 +61,7 @@ final class OpenWay implements AutoCloseable {
     this.rewriting = new ValueRewriting(back ? forth.back(robot(sink, to)) : forth, stamps);
     this.fields = FieldMapping.of(settings);
     this.near = source.access(principal);
+    this.near.onArrival(surroundings.arrival());
     this.beyond = sink.access(principal);
     this.far = new FarSide(to, sink, beyond, settings);
   }

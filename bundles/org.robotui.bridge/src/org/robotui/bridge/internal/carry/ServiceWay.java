@@ -55,7 +55,7 @@ final class ServiceWay implements CarriedWay {
   }
 
   @Override
-  public boolean isActive(long now) {
+  public boolean isWaiting() {
     return false;
   }
 

@@ -43,6 +43,7 @@ final class ProgramAccess implements PortAccess {
   private final Principal principal;
   private final Map<SourceId, InputEnd<Data>> inputs = new HashMap<>();
   private final Map<SourceId, OutputEnd<Data>> outputs = new HashMap<>();
+  private volatile Runnable arrivals = () -> {};
   private boolean closed;
 
   ProgramAccess(Components components, Services services, Supplier<Authority> fallback, Principal principal) {
@@ -83,6 +84,11 @@ final class ProgramAccess implements PortAccess {
   }
 
   @Override
+  public void onArrival(Runnable told) {
+    arrivals = told;
+  }
+
+  @Override
   public Optional<List<RawMessage>> held(SourceId stream) {
     return offered(PortKind.STREAM, stream).flatMap(o -> ((StreamSource<?>) o).held());
   }
@@ -103,7 +109,7 @@ final class ProgramAccess implements PortAccess {
   }
 
   private InputEnd<Data> input() {
-    return new InputEnd<>(Intake.CHOSEN, services.clock());
+    return new InputEnd<>(Intake.CHOSEN, services.clock(), () -> arrivals.run());
   }
 
   @Override

@@ -17,10 +17,21 @@ final class EventMailbox<T extends Data> implements Mailbox<T> {
   static final int CAPACITY = 1024;
   static final long BYTES = 32L << 20;
 
+  private final Runnable filled;
   private final Queue<Envelope<T>> queue = new ConcurrentLinkedQueue<>();
   private final AtomicInteger size = new AtomicInteger();
   private final AtomicLong bytes = new AtomicLong();
   private final AtomicLong dropped = new AtomicLong();
+
+  /** Nobody is told of what comes. */
+  EventMailbox() {
+    this(() -> {});
+  }
+
+  /** Tells of each value that has come; on the thread that offers it. */
+  EventMailbox(Runnable filled) {
+    this.filled = filled;
+  }
 
   @Override
   public void offer(Envelope<T> envelope) {
@@ -30,6 +41,7 @@ final class EventMailbox<T extends Data> implements Mailbox<T> {
     while (isFull() && poll().isPresent()) {
       dropped.incrementAndGet();
     }
+    filled.run();
   }
 
   /** One value may always wait, however large it is. */

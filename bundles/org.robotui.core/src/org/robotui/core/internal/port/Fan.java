@@ -72,18 +72,24 @@ public final class Fan<T extends Data> {
 
   /** Adds a consumer; it is given at once what late consumers of the type get. */
   public Tap<T> join(Intake intake) {
+    return join(intake, () -> {});
+  }
+
+  /** Adds a consumer that is told of what comes, where each value counts for it. */
+  Tap<T> join(Intake intake, Runnable filled) {
     boolean late = type.late() != Late.NONE;
     long since = late ? 0 : sequence.get();
-    Tap<T> tap = new Tap<>(this, reader(intake == Intake.CHOSEN ? Conflation.EVENT : type.conflation(), since), since);
+    Tap<T> tap =
+        new Tap<>(this, reader(intake == Intake.CHOSEN ? Conflation.EVENT : type.conflation(), filled, since), since);
     taps.add(tap);
     return tap;
   }
 
-  private TapReader<T> reader(Conflation conflation, long since) {
+  private TapReader<T> reader(Conflation conflation, Runnable filled, long since) {
     return switch (conflation) {
       case SAMPLE -> new SampleReader<>(this, since);
       case KEYED -> new MailboxReader<>(this, new KeyedMailbox<>(), since);
-      case EVENT -> MailboxReader.opened(this, new EventMailbox<>(), since);
+      case EVENT -> MailboxReader.opened(this, new EventMailbox<>(filled), since);
     };
   }
 

@@ -36,14 +36,21 @@ public final class InputEnd<T extends Data> implements Input<T> {
 
   private final Intake intake;
   private final NanoClock clock;
+  private final Runnable filled;
   private List<StreamSource<T>> matched = List.of(); // under the lock
   private Set<SourceId> chosen = Set.of(); // under the lock
   private volatile Lines<T> lines = Lines.of(List.of(), List.of(), "not matched yet");
 
   /** An end without sources. */
   public InputEnd(Intake intake, NanoClock clock) {
+    this(intake, clock, () -> {});
+  }
+
+  /** An end without sources, which tells of each value that waits to be drained; on the thread that received it. */
+  public InputEnd(Intake intake, NanoClock clock, Runnable filled) {
     this.intake = intake;
     this.clock = clock;
+    this.filled = filled;
   }
 
   /**
@@ -74,7 +81,7 @@ public final class InputEnd<T extends Data> implements Input<T> {
     for (StreamSource<T> source : matched) {
       if (intake == Intake.MATCHED || chosen.contains(source.id())) {
         after.add(before.stream().filter(l -> l.source() == source).findFirst()
-            .orElseGet(() -> new Line<>(source, source.join(intake))));
+            .orElseGet(() -> new Line<>(source, source.join(intake, filled))));
       }
     }
     lines = Lines.of(after, candidates, reason);
@@ -162,7 +169,8 @@ public final class InputEnd<T extends Data> implements Input<T> {
     Lines<T> now = lines;
     List<Line<T>> again = now.all().stream().filter(l -> l.source().holds()).toList();
     lines = Lines.of(
-        now.all().stream().map(l -> again.contains(l) ? new Line<>(l.source(), l.source().join(intake)) : l).toList(),
+        now.all().stream().map(l -> again.contains(l) ? new Line<>(l.source(), l.source().join(intake, filled)) : l)
+            .toList(),
         now.candidates(), now.reason());
     again.forEach(l -> l.source().leave(l.tap())); // after the new ones have joined, so that the robot is not asked to
                                                    // stop

@@ -138,9 +138,9 @@ public final class StreamSource<T extends Data> implements Publication<T>, Offer
   }
 
   /** Adds a consumer: a view, or anything that taps the port without the producer knowing. */
-  public Tap<T> join(Intake intake) {
+  public Tap<T> join(Intake intake, Runnable filled) {
     demand.add(1);
-    return fan.join(intake);
+    return fan.join(intake, filled);
   }
 
   /** Whether its last value is true until the next one comes, and whoever asks late is given it. */

@@ -12,6 +12,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -129,6 +130,21 @@ class ProgramAccessTest {
     access.close();
     Await.until("the robot is asked no more", () -> demand.equals(List.of(true, false)));
     assertEquals(Optional.empty(), access.newest(SCAN));
+  }
+
+  @Test
+  void whoTakesIsToldOfEachValueThatWaits() {
+    AtomicInteger told = new AtomicInteger();
+    access.onArrival(told::incrementAndGet);
+    publish(1);
+    assertEquals(0, told.get(), "nothing is taken yet");
+    access.take(SCAN, value -> {});
+    publish(2);
+    publish(3);
+    assertEquals(2, told.get(), "by the thread that publishes");
+    access.close();
+    publish(4);
+    assertEquals(2, told.get());
   }
 
   @Test

@@ -328,7 +328,7 @@ class InputEndTest {
   @Test
   void tapSeesWhatViewsSeeWithoutTheProducerKnowing() {
     input.connect(List.of(front), "");
-    Tap<LaserScan> tap = front.join(Intake.MATCHED);
+    Tap<LaserScan> tap = front.join(Intake.MATCHED, () -> {});
     publish(front, Samples.scan(1));
     assertEquals(1, tap.drain(e -> {}));
     assertEquals(1, input.drain(e -> {}));

@@ -10,8 +10,8 @@ import org.robotui.rtps.internal.wire.SequenceSet;
 /** Sends changes, whole or in fragments, and again what was asked for. Its writer's lock guards it. */
 final class Sending {
 
-  /** In one turn no reader gets more, so that its buffers take it and others get theirs. */
-  private static final long TURN = 512 << 10;
+  /** In one turn no reader gets more again, so that its buffers take it and others get theirs. */
+  private static final long TURN = PacedChanges.TURN / 2;
 
   private final EntityId writer;
   private long repaired;
@@ -22,15 +22,27 @@ final class Sending {
 
   /** Sends a change whole; answers its bytes. */
   long change(EndpointOutlet.Batch batch, EntityId reader, Destination to, Change change) {
-    int fragmentSize = to.fragmentSize();
-    if (change.size() <= fragmentSize) {
-      batch.data(reader, writer, change);
-    } else {
-      for (long number = 1; number <= count(change, to); number++) {
-        batch.fragment(reader, writer, change, fragmentSize, number);
-      }
-    }
+    some(batch, new SendTarget(to, reader, false), change, 1, Long.MAX_VALUE);
     return change.size();
+  }
+
+  /**
+   * Sends so many bytes of a change from a fragment on, at least one; answers the next fragment, or 0 after the last.
+   */
+  long some(EndpointOutlet.Batch batch, SendTarget target, Change change, long from, long most) {
+    int fragmentSize = target.destination().fragmentSize();
+    if (change.size() <= fragmentSize) {
+      batch.data(target.reader(), writer, change);
+      return 0;
+    }
+    long count = count(change, target.destination());
+    long sent = 0;
+    long number = from;
+    for (; number <= count && (sent == 0 || sent + fragmentSize <= most); number++) {
+      batch.fragment(target.reader(), writer, change, fragmentSize, number);
+      sent += fragmentSize;
+    }
+    return number <= count ? number : 0;
   }
 
   /** How many fragments a change has. */

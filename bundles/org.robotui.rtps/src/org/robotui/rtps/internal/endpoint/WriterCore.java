@@ -26,7 +26,8 @@ import org.robotui.rtps.internal.wire.SequenceSet;
  */
 public final class WriterCore {
 
-  private static final long NEXT_TURN = Duration.ofMillis(1).toNanos();
+  /** Between two turns a reader that has a processor takes what the turn before brought. */
+  private static final long NEXT_TURN = 150_000;
 
   private final EntityId self;
   private final Qos qos;
@@ -36,15 +37,13 @@ public final class WriterCore {
   private final AtomicInteger counts;
   private final ChangeCache cache;
   private final Sending sending;
+  private final PacedChanges paced;
   private final Beat beat = new Beat();
   private final WriterTally tally = new WriterTally();
   private final Map<Guid, RemoteReader> readers = new LinkedHashMap<>();
-  private List<Target> targets = List.of();
+  private List<SendTarget> targets = List.of();
   private long last;
   private boolean closed;
-
-  /** Another participant: its readers get one copy of what is new. */
-  private record Target(Destination destination, EntityId reader, boolean reliable) {}
 
   /** Matched with nobody yet. */
   public WriterCore(Guid self, Qos qos, long mostBytes, Timers timers, EndpointOutlet outlet, AtomicInteger counts) {
@@ -56,6 +55,7 @@ public final class WriterCore {
     this.counts = counts;
     this.cache = new ChangeCache(qos, mostBytes);
     this.sending = new Sending(self.entity());
+    this.paced = new PacedChanges(sending);
   }
 
   /** Writes a change; empty if there is no room for it. The payload is kept and must not be changed. */
@@ -71,13 +71,38 @@ public final class WriterCore {
     if (qos.durability() != Durability.VOLATILE || anyReliable()) {
       cache.add(change).forEach(this::dropped);
     }
-    long now = timers.now();
-    targets.forEach(target -> send(target, change));
+    send(change);
     if (anyReliable()) {
-      beat.news(now);
+      beat.news(timers.now());
       timer.wake(beat.due());
     }
     return OptionalLong.of(last);
+  }
+
+  private void send(Change change) {
+    if (!paced.applies(change)) {
+      targets.forEach(target -> send(target, change));
+      return;
+    }
+    boolean first = paced.isEmpty();
+    boolean room = true;
+    for (SendTarget target : targets) {
+      room = paced.add(target, change);
+    }
+    if (!room) {
+      paced.all(outlet, this::sent);
+    } else if (first) {
+      paced.turn(outlet, this::sent);
+    }
+    if (!paced.isEmpty()) {
+      timer.wake(timers.now() + NEXT_TURN);
+    }
+  }
+
+  private void sent(EndpointOutlet.Batch batch, SendTarget target) {
+    if (target.reliable()) {
+      beat(batch, target.reader(), cache.first(last + 1), false);
+    }
   }
 
   private void dropped(Change change) {
@@ -87,15 +112,13 @@ public final class WriterCore {
   }
 
   private boolean anyReliable() {
-    return targets.stream().anyMatch(Target::reliable);
+    return targets.stream().anyMatch(SendTarget::reliable);
   }
 
-  private void send(Target target, Change change) {
+  private void send(SendTarget target, Change change) {
     try (EndpointOutlet.Batch batch = outlet.to(target.destination())) {
       sending.change(batch, target.reader(), target.destination(), change);
-      if (target.reliable()) {
-        beat(batch, target.reader(), cache.first(last + 1), false);
-      }
+      sent(batch, target);
     }
   }
 
@@ -162,11 +185,12 @@ public final class WriterCore {
   private void aim() {
     Map<Destination, List<RemoteReader>> byPlace = new LinkedHashMap<>();
     readers.values().forEach(each -> byPlace.computeIfAbsent(each.destination(), none -> new ArrayList<>()).add(each));
-    List<Target> aimed = new ArrayList<>();
-    byPlace.forEach((place, there) -> aimed.add(new Target(place,
+    List<SendTarget> aimed = new ArrayList<>();
+    byPlace.forEach((place, there) -> aimed.add(new SendTarget(place,
         there.size() == 1 ? there.getFirst().info().guid().entity() : EntityId.UNKNOWN,
         there.stream().anyMatch(RemoteReader::reliable))));
     targets = List.copyOf(aimed);
+    paced.keep(targets);
   }
 
   /** A reader says what it has and lacks, and whether it wants to be told what there is. */
@@ -214,6 +238,10 @@ public final class WriterCore {
         more |= reader.asks();
       }
     }
+    paced.turn(outlet, this::sent);
+    if (!paced.isEmpty()) {
+      return now + NEXT_TURN; // who is asked now says that it lacks what is on its way
+    }
     if (beat.due() <= now) {
       beat.asked(now, askAll());
     }
@@ -258,6 +286,7 @@ public final class WriterCore {
 
   /** Writes no more. */
   public synchronized void close() {
+    paced.all(outlet, this::sent);
     closed = true;
     timer.cancel();
     readers.clear();

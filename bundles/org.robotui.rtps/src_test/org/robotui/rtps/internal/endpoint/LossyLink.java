@@ -40,10 +40,11 @@ final class LossyLink {
   private boolean cut;
   private IntPredicate drops = datagram -> false;
   private int sent;
+  private long room = Long.MAX_VALUE;
 
   final Timers timers = new Timers(() -> now);
 
-  private record Sent(long arrives, List<Runnable> submessages) {}
+  private record Sent(long arrives, int bytes, List<Runnable> submessages) {}
 
   LossyLink(long seed, double loss, long delayMillis) {
     random = new Random(seed);
@@ -100,6 +101,11 @@ final class LossyLink {
   void drop(IntPredicate which) {
     sent = 0;
     drops = which;
+  }
+
+  /** Loses what does not fit into a buffer of so many bytes, which is emptied every millisecond. */
+  void buffer(long bytes) {
+    room = bytes;
   }
 
   long now() {
@@ -198,10 +204,11 @@ final class LossyLink {
 
     @Override
     public void close() {
-      boolean lost = parts.isEmpty() || cut || drops.test(sent) || random.nextDouble() < loss;
+      boolean full = room < Long.MAX_VALUE && underWay.stream().mapToLong(Sent::bytes).sum() + bytes > room;
+      boolean lost = parts.isEmpty() || cut || full || drops.test(sent) || random.nextDouble() < loss;
       sent += parts.isEmpty() ? 0 : 1;
       if (!lost) {
-        underWay.add(new Sent(now + delay, List.copyOf(parts)));
+        underWay.add(new Sent(now + delay, bytes, List.copyOf(parts)));
       }
       parts.clear();
       bytes = 0;
