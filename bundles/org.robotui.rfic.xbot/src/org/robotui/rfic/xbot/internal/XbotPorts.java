@@ -11,6 +11,7 @@ import org.robotui.api.port.ServiceReply;
 import org.robotui.api.port.ServiceRequest;
 import org.robotui.api.port.StreamPort;
 import org.robotui.data.control.ControlPlugins;
+import org.robotui.data.control.Drives;
 import org.robotui.data.control.LoopTiming;
 import org.robotui.data.geometry.Wrench;
 import org.robotui.data.joint.JointCommand;
@@ -36,17 +37,19 @@ final class XbotPorts {
       new StreamPort<>("plugins", ControlPlugins.class, Arity.MANY, "the control plugins and how they are doing");
   static final StreamPort<LoopTiming> TIMING =
       new StreamPort<>("timing", LoopTiming.class, Arity.MANY, "how well the control keeps its time");
+  static final StreamPort<Drives> DRIVES =
+      new StreamPort<>("drives", Drives.class, Arity.MANY, "where the drives of the joints stand");
   static final CommandPort<JointCommand> COMMAND =
       new CommandPort<>("joint_command", JointCommand.class, Arity.MANY,
           "what the joints shall do, while the communication plugin runs");
   static final CallPort<PluginRequest, PluginReply> VERBS =
       new CallPort<>("plugin_verbs", PluginRequest.class, PluginReply.class, Arity.MANY,
-          "starts, stops and reloads plugins", true);
+          "starts, stops and reloads plugins; enables and disables drives", true);
   static final CallPort<ServiceRequest, ServiceReply> SERVICES =
       new CallPort<>("services", ServiceRequest.class, ServiceReply.class,
           Arity.MANY, "stop_plugins stops all plugins: for the stop_call of a robot's safety");
 
-  static final List<Port> ALL = List.of(JOINTS, CONTROL, MODEL, PLUGINS, TIMING, COMMAND, VERBS, SERVICES);
+  static final List<Port> ALL = List.of(JOINTS, CONTROL, MODEL, PLUGINS, TIMING, DRIVES, COMMAND, VERBS, SERVICES);
 
   private XbotPorts() {}
 

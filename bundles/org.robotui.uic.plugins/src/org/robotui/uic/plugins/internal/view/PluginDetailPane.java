@@ -91,6 +91,7 @@ final class PluginDetailPane {
     boolean changed = command.show(detail.plugin().map(PluginLine::name), detail.usable());
     changed |= tell(detail);
     changed |= problem(detail.problem());
+    changed |= Boxes.seen(plots, detail.drives().isEmpty());
     wakeUp.show(Optional.of(detail.loop().wakeUp()), 0, detail.isStale());
     busy.show(Optional.of(detail.line().busy()), detail.line().period(), detail.isStale());
     counts.show(detail.countsHealth(), detail.counts());
@@ -102,7 +103,7 @@ final class PluginDetailPane {
 
   private boolean tell(PluginDetail detail) {
     PluginNotice said =
-        detail.plugin().isPresent() && detail.told().health() != Health.BAD ? detail.told() : PluginNotice.NOTHING;
+        detail.isAskable() && detail.told().health() != Health.BAD ? detail.told() : PluginNotice.NOTHING;
     told.show(said.health(), said.text());
     return Boxes.seen(told.control(), !said.text().isEmpty());
   }
