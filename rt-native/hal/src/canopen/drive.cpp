@@ -33,7 +33,7 @@ Drive::Drive(const Settings& settings, std::uint16_t index, const PdoLayout& lay
     frame_of_[pdo] = static_cast<std::uint8_t>(frame_count_++);
   }
   begin(now_ns);
-  if (!settings.enables) obey(Wish::kDisable, now_ns);
+  if (!settings.enables) obey(Wish::kOff, now_ns);
   shown_.store(toShow(), std::memory_order_release);
 }
 
@@ -50,9 +50,9 @@ void Drive::begin(std::int64_t now_ns) noexcept {
 
 // One in fault stays so: only recover() resets it.
 void Drive::obey(Wish wish, std::int64_t now_ns) noexcept {
-  if (wish == Wish::kEnable) {
+  if (wish == Wish::kOn) {
     begin(now_ns);
-  } else if (wish == Wish::kDisable && phase_ != Phase::kFallen) {
+  } else if (wish == Wish::kOff && phase_ != Phase::kFallen) {
     phase_ = Phase::kDisabled;
     follows_ = false;
   }

@@ -51,8 +51,8 @@ class Drive {
   std::optional<Alarm> refusal() noexcept;  // of the last command
 
   // ---- from an ordinary thread
-  void retry() noexcept { wish_.store(Wish::kEnable, std::memory_order_release); }
-  void disable() noexcept { wish_.store(Wish::kDisable, std::memory_order_release); }
+  void retry() noexcept { wish_.store(Wish::kOn, std::memory_order_release); }
+  void disable() noexcept { wish_.store(Wish::kOff, std::memory_order_release); }
   std::uint64_t lostStates() const noexcept { return lost_.load(std::memory_order_relaxed); }
   ShownDrive shown() const noexcept { return shown_.load(std::memory_order_acquire); }
   const PdoLayout& layout() const noexcept { return layout_; }
@@ -60,7 +60,7 @@ class Drive {
 
  private:
   enum class Phase : std::uint8_t { kDisabled, kEnabling, kEnabled, kFallen };
-  enum class Wish : std::uint8_t { kNone, kEnable, kDisable };
+  enum class Wish : std::uint8_t { kNone, kOn, kOff };
 
   Alarm alarm(Cause cause, std::uint32_t detail = 0) const noexcept;
   Alarm fall(Cause cause, std::uint32_t detail = 0) noexcept;

@@ -15,8 +15,8 @@ import org.robotui.ui.Health;
 import org.robotui.ui.ask.ControlFirst;
 
 /**
- * Asks the control to do something with a plugin or the drives, once the user has control of the robot. One request a plugin at a
- * time. All threads.
+ * Asks the control to do something with a plugin or the drives, once the user has control of the robot. One request a
+ * plugin at a time. All threads.
  */
 public final class Verbs {
   private final Caller<PluginRequest, PluginReply> caller;

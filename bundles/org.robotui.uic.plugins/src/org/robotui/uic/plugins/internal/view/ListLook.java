@@ -127,12 +127,13 @@ final class ListLook implements RowLook<Line> {
       case PluginLine plugin -> switches.paint(gc, cell, plugin, usable);
       case LoopLine loop -> HealthDot.paint(gc, theme, loop.health(), cell.x + cell.width / 2,
           cell.y + cell.height / 2);
-      case DrivesLine drives -> {
-      }
+      case DrivesLine drives -> {}
     }
   }
 
-  /** A thread is named where the switches of its plugins stand; what is below it is set in a little, each with its dot. */
+  /**
+   * A thread is named where the switches of its plugins stand; what is below it is set in a little, each with its dot.
+   */
   private void name(GC gc, Rectangle at, Line line) {
     switch (line) {
       case LoopLine loop -> text.cell(gc, at, loop.name(), Face.BODY_STRONG, theme.color(Role.TEXT), false);

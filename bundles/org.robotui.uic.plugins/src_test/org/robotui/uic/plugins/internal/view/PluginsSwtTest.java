@@ -42,7 +42,8 @@ class PluginsSwtTest {
   private final FakeInput<LoopTiming> timing = new FakeInput<>();
   private final FakeInput<Drives> drives = new FakeInput<>();
   private final FakeCaller<PluginRequest, PluginReply> caller = new FakeCaller<>(Controls.VERBS);
-  private final PluginsModel model = new PluginsModel(context, plugins, timing, drives, caller, () -> Duration.ofSeconds(1));
+  private final PluginsModel model =
+      new PluginsModel(context, plugins, timing, drives, caller, () -> Duration.ofSeconds(1));
   private Theme theme;
   private Shell shell;
   private PluginsSurface surface;
