@@ -204,7 +204,8 @@ std::string doneWords(const std::string& command, const std::vector<std::string>
   if (command == "switch" && words.size() > 1) return plugin + (words[1] == "1" ? " runs." : " is stopped.");
   if (command == "reload") return plugin + " is loaded anew, and stopped.";
   if (command == "drives") return "The HAL of this robot has no drives that are enabled and disabled.";
-  if (command == "recover" || command == "enable" || command == "disable") return "The HAL is asked for it: what it says is in the log of robotui-rt.";
+  if (command == "recover" || command == "enable" || command == "disable")
+    return "The HAL is asked for it: what it says is in the log of robotui-rt.";
   if (command == "command") return plugin + " has taken it.";
   return "ok";
 }

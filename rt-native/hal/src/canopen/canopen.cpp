@@ -249,7 +249,8 @@ std::vector<DriveReport> CanOpen::drives() {
   for (std::size_t i = 0; i < drives_.size(); ++i) {
     const ShownDrive shown = drives_[i]->shown();
     const bool is_error = shown.phase == DrivePhase::kFault && shown.error != 0;
-    reports.push_back({settings_.drives[i].joint, shown.phase, is_error ? errorText(shown.error) : nameOf(shown.state)});
+    reports.push_back(
+        {settings_.drives[i].joint, shown.phase, is_error ? errorText(shown.error) : nameOf(shown.state)});
   }
   return reports;
 }

@@ -100,8 +100,8 @@ struct HalConfig {
   double following_time = 0.5;
   std::chrono::microseconds period{1000};
   std::optional<int> core;
-  int priority = 90;     // link::kByDeadline is SCHED_DEADLINE
-  double runtime = 0.3;  // with that: share of the period that it may run
+  int priority = 90;        // link::kByDeadline is SCHED_DEADLINE
+  double runtime = 0.3;     // with that: share of the period that it may run
   int wake_latency_us = 0;  // how late processors may wake from idling; -1 is as they like
   YAML::Node
       params;  // of the type: a map, perhaps empty. Read it with Reader (reader.h): its mistakes have places, too

@@ -22,7 +22,7 @@ struct ThreadPlan {
   std::int64_t period_ns;
   int priority;  // SCHED_FIFO; 0 is an ordinary thread, link::kByDeadline is SCHED_DEADLINE
   std::optional<int> core;
-  bool runs_alone;  // also runs its plugins while the robot does not cycle: IO plugins
+  bool runs_alone;     // also runs its plugins while the robot does not cycle: IO plugins
   double runtime = 0;  // share of the period, with SCHED_DEADLINE
 };
 

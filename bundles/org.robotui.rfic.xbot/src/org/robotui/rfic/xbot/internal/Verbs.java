@@ -33,7 +33,7 @@ final class Verbs implements CallHandler<PluginRequest, PluginReply> {
   }
 
   private static String words(PluginRequest request) throws CallException {
-    if (!isOfDrives(request.verb()) && (request.plugin().isBlank() || request.plugin().chars().anyMatch(Character::isWhitespace))) {
+    if (!isOfDrives(request.verb()) && !isName(request.plugin())) {
       throw new CallException("'" + request.plugin() + "' is no name of a plugin");
     }
     return switch (request.verb()) {
@@ -45,6 +45,10 @@ final class Verbs implements CallHandler<PluginRequest, PluginReply> {
       case DISABLE_DRIVES -> "disable";
       case RECOVER_DRIVES -> "recover";
     };
+  }
+
+  private static boolean isName(String plugin) {
+    return !plugin.isBlank() && plugin.chars().noneMatch(Character::isWhitespace);
   }
 
   private static boolean isOfDrives(PluginRequest.Verb verb) {

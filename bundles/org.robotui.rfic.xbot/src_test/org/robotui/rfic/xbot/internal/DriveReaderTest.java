@@ -12,8 +12,9 @@ import org.robotui.data.control.Drives.Phase;
 class DriveReaderTest {
   @Test
   void eachLineIsADriveAndOthersAreLeftOut() {
-    assertEquals(
-        new Drives(List.of(new Drive("shoulder", Phase.FAULT, "0x3210\t(DC link)"), new Drive("elbow", Phase.ENABLED, ""))),
+    Drive shoulder = new Drive("shoulder", Phase.FAULT, "0x3210\t(DC link)");
+    Drive elbow = new Drive("elbow", Phase.ENABLED, "");
+    assertEquals(new Drives(List.of(shoulder, elbow)),
         DriveReader.read("fault\tshoulder\t0x3210\t(DC link)\nenabled\telbow\t\nasleep\twrist\tx\nfault\n\n"));
     assertEquals(new Drives(List.of()), DriveReader.read(""));
   }
