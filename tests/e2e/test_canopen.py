@@ -54,6 +54,14 @@ def test_drives_of_the_library_canopen_are_led_home(processes, environment, tmp_
     assert "asked" in control.ctl("recover")
     wait_for(lambda: said("(node 2) is asked to be enabled again"), seconds=60, what="the drive that is brought back")
     wait_for(lambda: (running.err.read_text() + running.out.read_text()).count("(node 2) is enabled") == 2, seconds=60, what="the drive again")
+
+    def phases():
+        return {line.split("\t")[0] for line in control.ctl("drives").splitlines()}
+
+    control.ctl("disable")
+    wait_for(lambda: phases() == {"disabled"}, seconds=60, what="disabled drives")
+    control.ctl("enable")
+    wait_for(lambda: phases() == {"enabled"}, seconds=60, what="drives that are enabled again")
     assert "runs" in control.ctl("switch", "Homing", "1")
 
 

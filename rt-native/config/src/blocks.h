@@ -20,6 +20,9 @@ void readPlugins(const Reader& top, RtConfig& into);
 // What only all together can tell: sizes, priorities, cores.
 void checkLimits(const Reader& top, const RtConfig& config);
 
+// `runtime` of a block whose `sched` is deadline. Throws where prio or core_id are written beside it.
+double readRuntime(const Reader& block, double usual);
+
 // The core of a `core_id`: one on which this process may run.
 std::optional<int> readCore(const Reader& block);
 

@@ -1,4 +1,5 @@
 #include "blocks.h"
+#include "robotui/rt/link/deadline.h"
 
 namespace robotui::rt::config {
 namespace {
@@ -37,8 +38,14 @@ void readSafety(const Reader& block, HalConfig& hal) {
 void readScheduling(const Reader& block, HalConfig& hal) {
   hal.period =
       std::chrono::microseconds(block.wholeOr("period_us", hal.period.count(), kShortest.count(), kLongest.count()));
-  hal.priority = static_cast<int>(block.wholeOr("prio", hal.priority, 2, 98));
-  hal.core = readCore(block);
+  const auto sched = block.find("sched");
+  if (sched && sched->oneOf({"fifo", "deadline"}) == "deadline") {
+    hal.priority = link::kByDeadline;
+    hal.runtime = readRuntime(block, hal.runtime);
+  } else {
+    hal.priority = static_cast<int>(block.wholeOr("prio", hal.priority, 2, 98));
+    hal.core = readCore(block);
+  }
   hal.wake_latency_us = static_cast<int>(block.wholeOr("cpu_dma_latency_us", hal.wake_latency_us, -1, 1'000'000));
 }
 
@@ -74,8 +81,8 @@ HalConfig readHal(const Reader& top, const Overrides& overrides, std::vector<std
   hal.place = top.place();
   if (const auto block = top.find("HALInterface")) {
     block->knows({"type", "lib_file", "lib_name", "IJoint", "IEndEffectors", "ISensors", "misses_before_safe",
-                  "deadline", "safe_law", "safe_damping", "following_error", "following_time", "period_us", "prio",
-                  "core_id", "cpu_dma_latency_us", "params"},
+                  "deadline", "safe_law", "safe_damping", "following_error", "following_time", "period_us", "sched",
+                  "prio", "runtime", "core_id", "cpu_dma_latency_us", "params"},
                  warnings);
     hal.place = block->place();
     readType(*block, hal);

@@ -1,12 +1,17 @@
 #include <map>
 
 #include "blocks.h"
+#include "robotui/rt/link/deadline.h"
 #include "robotui/rt/link/layout.h"
 
 namespace robotui::rt::config {
 namespace {
 
 void checkThread(const ThreadConfig& thread, const HalConfig& hal) {
+  if (thread.scheduling == Scheduling::kDeadline && hal.priority != link::kByDeadline)
+    throw ConfigError(thread.place, "the thread '" + thread.name +
+                                        "' has sched: deadline, which goes before the HAL's priority; write "
+                                        "HALInterface: {sched: deadline}, too");
   if (thread.scheduling != Scheduling::kFifo || thread.priority < hal.priority) return;
   throw ConfigError(thread.place, "the thread '" + thread.name + "' has the priority " +
                                       std::to_string(thread.priority) + "; it must be below the HAL's, " +

@@ -4,10 +4,14 @@
 
 #include <cmath>
 
+#include "robotui/rt/link/deadline.h"
+
 namespace robotui::rt::config {
 namespace {
 
 constexpr double kMicro = 1e6;
+constexpr double kLeastRuntime = 0.05;
+constexpr double kMostRuntime = 0.9;
 constexpr const char* kDefaultName = "rt_main";
 constexpr const char* kDefaultHost = "rt";
 
@@ -36,17 +40,25 @@ void mustBeMultiple(const ThreadConfig& thread, const HalConfig& hal) {
 
 ThreadConfig readThread(const std::string& name, const Reader& block, std::chrono::microseconds written,
                         std::vector<std::string>& warnings) {
-  block.knows({"sched", "prio", "period", "core_id", "host"}, warnings);
+  block.knows({"sched", "prio", "period", "core_id", "host", "runtime"}, warnings);
   ThreadConfig thread;
   thread.name = name;
   thread.place = block.place();
   thread.host = block.textOr("host", kDefaultHost);
   if (const auto sched = block.find("sched")) {
-    thread.scheduling = sched->oneOf({"fifo", "other"}) == "fifo" ? Scheduling::kFifo : Scheduling::kOther;
+    const std::string name_of_it = sched->oneOf({"fifo", "other", "deadline"});
+    thread.scheduling = name_of_it == "fifo"    ? Scheduling::kFifo
+                        : name_of_it == "other" ? Scheduling::kOther
+                                                : Scheduling::kDeadline;
+  }
+  thread.period = readPeriod(block, written);
+  if (thread.scheduling == Scheduling::kDeadline) {
+    thread.priority = link::kByDeadline;
+    thread.runtime = readRuntime(block, thread.runtime);
+    return thread;
   }
   const bool fifo = thread.scheduling == Scheduling::kFifo;
   thread.priority = static_cast<int>(block.wholeOr("prio", fifo ? 60 : 0, fifo ? 1 : 0, fifo ? 98 : 0));
-  thread.period = readPeriod(block, written);
   thread.core = readCore(block);
   return thread;
 }
@@ -60,6 +72,13 @@ std::string allowedCores(const cpu_set_t& set) {
 }
 
 }  // namespace
+
+double readRuntime(const Reader& block, double usual) {
+  if (const auto prio = block.find("prio")) prio->fail("means nothing with sched: deadline; leave it out");
+  if (const auto core = block.find("core_id"))
+    core->fail("cannot be with sched: deadline: the kernel refuses that to threads which are kept on one CPU");
+  return block.realOr("runtime", usual, kLeastRuntime, kMostRuntime);
+}
 
 std::optional<int> readCore(const Reader& block) {
   const auto value = block.find("core_id");

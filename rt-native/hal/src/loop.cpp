@@ -27,9 +27,11 @@ std::vector<std::string> Loop::prepare() const {
   cycle_->statistics().core = settings_.core.value_or(-1);
   if (settings_.priority > 0) {
     note(lockMemory());
-    Refusal fifo = scheduleFifo(settings_.priority);
-    cycle_->statistics().priority = fifo ? 0 : settings_.priority;
-    note(std::move(fifo));
+    Refusal refusal = settings_.priority == link::kByDeadline
+                          ? scheduleDeadline({settings_.period_ns, settings_.runtime})
+                          : scheduleFifo(settings_.priority);
+    cycle_->statistics().priority = refusal ? 0 : settings_.priority;
+    note(std::move(refusal));
   }
   prepareThread();
   return refusals;

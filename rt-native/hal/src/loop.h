@@ -14,7 +14,8 @@ namespace robotui::rt::hal {
 
 struct LoopSettings {
   std::int64_t period_ns = 1'000'000;
-  int priority = 90;  // 0 is an ordinary thread
+  int priority = 90;   // 0 is an ordinary thread, link::kByDeadline is SCHED_DEADLINE
+  double runtime = 0;  // share of the period, with SCHED_DEADLINE
   std::optional<int> core;
   bool allow_non_rt = false;
 };

@@ -1,6 +1,7 @@
 #include "process.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <stdexcept>
 
@@ -16,6 +17,18 @@ std::uint32_t generationOf(const link::BoardSegment& board) {
   auto data = std::make_unique<link::BoardData>();
   link::BoardReader(board).read(*data);
   return data->hal_respawns + 1;
+}
+
+constexpr std::array kPhases{"disabled", "enabling", "enabled", "fault", "silent"};  // by DrivePhase
+
+// A line each: phase, joint, detail.
+std::string textOf(const std::vector<DriveReport>& drives) {
+  std::string text;
+  for (const DriveReport& drive : drives) {
+    text += text.empty() ? "" : "\n";
+    text.append(kPhases[static_cast<std::size_t>(drive.phase)]) += "\t" + drive.joint + "\t" + drive.detail;
+  }
+  return text;
 }
 
 // A robot without a model that can be computed still has damping: better than none that moves.
@@ -58,6 +71,7 @@ Process::Process(const ProcessOptions& options, link::Packet begin) {
   cycle_ = std::make_unique<Cycle>(config.robot, settings, *hal_, *board_, *inbox_, *torque_, *state_);
   loop_ = std::make_unique<Loop>(*cycle_, LoopSettings{.period_ns = settings.period_ns,
                                                        .priority = options.nrt ? 0 : config.hal.priority,
+                                                       .runtime = config.hal.runtime,
                                                        .core = config.hal.core,
                                                        .allow_non_rt = options.allow_non_rt});
   for (std::string& refusal : loop_->start()) warnings_.push_back(std::move(refusal));
@@ -90,16 +104,26 @@ bool Process::replaceHost(link::Packet& packet) {
   return true;
 }
 
+void Process::tellDrives(const link::Socket& supervisor) {
+  std::string now = textOf(hal_->drives());
+  if (now == told_drives_) return;
+  told_drives_ = std::move(now);
+  supervisor.send("drives " + told_drives_);
+}
+
 void Process::obey(const link::Socket& supervisor, const std::atomic<bool>& ended) {
   link::Packet packet;
   while (!ended) {
     const link::Received received = supervisor.receive(packet, kLook);
     for (const std::string& sentence : hal_->news()) supervisor.send("log warn " + sentence);
     for (link::JointEvent event; cycle_->takeEvent(event);) supervisor.send(link::textOf(event));
+    tellDrives(supervisor);
     if (received == link::Received::kTimeout) continue;
     if (received == link::Received::kClosed || packet.verb() == "end") break;
-    if (packet.verb() == "recover") {
-      for (const std::string& sentence : hal_->recover()) supervisor.send("log info " + sentence);
+    if (packet.verb() == "recover" || packet.verb() == "enable" || packet.verb() == "disable") {
+      const bool recovers = packet.verb() == "recover";
+      for (const std::string& sentence : recovers ? hal_->recover() : hal_->enable(packet.verb() == "enable"))
+        supervisor.send("log info " + sentence);
     } else if (packet.verb() != "host" || !replaceHost(packet)) {
       supervisor.send("log warn The HAL does not understand '" + packet.text + "'.");
     }

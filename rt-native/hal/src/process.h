@@ -39,6 +39,7 @@ class Process {
   void hosts(link::Packet& begin);
   void stayAwake(int most_us);
   bool replaceHost(link::Packet& packet);
+  void tellDrives(const link::Socket& supervisor);
 
   link::Segment<link::StateSegment> state_;
   link::Segment<const link::BoardSegment> board_;
@@ -50,6 +51,7 @@ class Process {
   std::unique_ptr<Loop> loop_;
   std::unique_ptr<WakeLatency> wake_latency_;
   std::vector<std::string> warnings_;
+  std::string told_drives_;
 };
 
 }  // namespace robotui::rt::hal

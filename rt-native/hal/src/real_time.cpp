@@ -54,6 +54,12 @@ Refusal scheduleFifo(int priority) {
   return what + kRemedy;
 }
 
+Refusal scheduleDeadline(const link::Reservation& reservation) {
+  const int error = link::scheduleByDeadline(reservation);
+  if (error == 0) return std::nullopt;
+  return "The loop cannot keep its time: " + link::deadlineRefusal(reservation, error);
+}
+
 Refusal pinTo(int core) {
   cpu_set_t set;
   CPU_ZERO(&set);

@@ -4,6 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "robotui/rt/link/deadline.h"
+
 namespace robotui::rt::hal {
 
 // Each gives a sentence with the remedy where the system refuses.
@@ -12,8 +14,9 @@ using Refusal = std::optional<std::string>;
 // All memory of the process stays where it is, now and later; freed memory is kept, so that no page is asked for again.
 Refusal lockMemory();
 
-// Of the calling thread: SCHED_FIFO, one CPU, no slack of its timers, its stack touched.
+// Of the calling thread: SCHED_FIFO or SCHED_DEADLINE, one CPU, no slack of its timers, its stack touched.
 Refusal scheduleFifo(int priority);
+Refusal scheduleDeadline(const link::Reservation& reservation);
 Refusal pinTo(int core);
 void prepareThread() noexcept;
 

@@ -92,13 +92,14 @@ void Host::makeThreads() {
   own_->threads = static_cast<std::uint32_t>(mine.threads.size());
   for (std::uint32_t i = 0; i < mine.threads.size(); ++i) {
     const config::ThreadConfig& thread = mine.threads[i];
-    const bool real_time = data_.real_time != 0 && thread.scheduling == config::Scheduling::kFifo;
+    const bool real_time = data_.real_time != 0 && thread.scheduling != config::Scheduling::kOther;
     ThreadPlan plan{thread.name,
                     i,
                     std::chrono::nanoseconds(thread.period).count(),
                     real_time ? thread.priority : 0,
                     thread.core,
-                    mine.kind == config::HostKind::kIo};
+                    mine.kind == config::HostKind::kIo,
+                    thread.runtime};
     threads_.push_back(std::make_unique<PluginThread>(std::move(plan), *state_, *board_, *own_));
   }
   for (auto& thread : threads_) {

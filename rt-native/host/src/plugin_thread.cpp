@@ -44,7 +44,7 @@ void PluginThread::start() {
   std::promise<std::string> scheduled;
   auto outcome = scheduled.get_future();
   thread_ = std::thread([this, scheduled = std::move(scheduled)]() mutable {
-    const std::string problem = scheduleThisThread(plan_.priority, plan_.core);
+    const std::string problem = scheduleThisThread(plan_);
     scheduled.set_value(problem);
     if (problem.empty()) {
       run();

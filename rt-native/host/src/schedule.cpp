@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "robotui/rt/host/plugin_thread.h"
+#include "robotui/rt/link/deadline.h"
 
 namespace robotui::rt::host {
 namespace {
@@ -20,9 +21,14 @@ __attribute__((noinline)) void touchStack() noexcept {
 
 }  // namespace
 
-std::string scheduleThisThread(int priority, std::optional<int> core) {
+std::string scheduleThisThread(const ThreadPlan& plan) {
   touchStack();
-  if (core) {
+  if (plan.priority == link::kByDeadline) {
+    const link::Reservation reservation{plan.period_ns, plan.runtime};
+    const int error = link::scheduleByDeadline(reservation);
+    return error == 0 ? std::string() : link::deadlineRefusal(reservation, error);
+  }
+  if (const auto core = plan.core) {
     cpu_set_t set;
     CPU_ZERO(&set);
     CPU_SET(static_cast<std::size_t>(*core), &set);
@@ -30,11 +36,11 @@ std::string scheduleThisThread(int priority, std::optional<int> core) {
       return "core " + std::to_string(*core) + " cannot be used: " + std::strerror(rc) + ".";
     }
   }
-  if (priority > 0) {
+  if (plan.priority > 0) {
     sched_param param{};
-    param.sched_priority = priority;
+    param.sched_priority = plan.priority;
     if (const int rc = pthread_setschedparam(pthread_self(), SCHED_FIFO, &param); rc != 0) {
-      return "priority " + std::to_string(priority) + " of SCHED_FIFO is refused: " + std::strerror(rc) + ".";
+      return "priority " + std::to_string(plan.priority) + " of SCHED_FIFO is refused: " + std::strerror(rc) + ".";
     }
   }
   return {};

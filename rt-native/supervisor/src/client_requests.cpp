@@ -41,10 +41,16 @@ void ClientRequests::dispatch(std::uint64_t client, const link::Packet& packet) 
     robot_.describe(client, rest);
   } else if (verb == "recover") {
     robot_.recover(client);
+  } else if (verb == "enable") {
+    robot_.enable(client);
+  } else if (verb == "disable") {
+    robot_.disable(client);
+  } else if (verb == "drives") {
+    robot_.drives(client);
   } else {
     replies_.answer(client, "The request " + quoted(verb) +
                                 " is not known. There are: attach, switch, reload, command, status, take, release, "
-                                "follower, describe, recover, reference.");
+                                "follower, describe, drives, recover, enable, disable, reference.");
   }
 }
 

@@ -41,7 +41,9 @@ constexpr const char* kUsage = R"(robotui-rt-ctl [--name NAME] COMMAND
   command PLUGIN WORDS...      tell it something
   trajectory FILE [PLUGIN]     take joints along the points of a file, and wait for the end (docs/rt-trajectories.md); PLUGIN is JointTrajectory
   trace [FILE] [--for SECONDS] what the loops do, cycle by cycle, as a file for Perfetto (docs/rt-tracing.md); trace.json and 10 s where nothing is said
-  recover                      bring drives back that a fault has disabled (docs/rt-canopen.md)
+  drives                       where each drive stands: disabled, enabling, enabled, fault, silent (docs/rt-canopen.md)
+  recover                      bring drives back that a fault has disabled
+  enable, disable              enable the drives that are disabled, or disable all; no plugin leads a joint then
   reload PLUGIN                load its library and its parameters anew
   reference JOINT=POSITION... [--for SECONDS]
                                command joints as the master framework (the communication plugin must run)
@@ -201,7 +203,9 @@ std::string doneWords(const std::string& command, const std::vector<std::string>
   const std::string plugin = words.empty() ? std::string() : words.front();
   if (command == "switch" && words.size() > 1) return plugin + (words[1] == "1" ? " runs." : " is stopped.");
   if (command == "reload") return plugin + " is loaded anew, and stopped.";
-  if (command == "recover") return "The HAL is asked for it: what it says is in the log of robotui-rt.";
+  if (command == "drives") return "The HAL of this robot has no drives that are enabled and disabled.";
+  if (command == "recover" || command == "enable" || command == "disable")
+    return "The HAL is asked for it: what it says is in the log of robotui-rt.";
   if (command == "command") return plugin + " has taken it.";
   return "ok";
 }

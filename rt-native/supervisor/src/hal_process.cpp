@@ -25,6 +25,8 @@ void HalProcess::spawn(const std::vector<std::string>& arguments, const std::vec
 void HalProcess::handle(link::Packet& packet) {
   if (packet.verb() == "failed") {
     failure_ = packet.rest();
+  } else if (packet.verb() == "drives") {
+    drives_ = packet.rest();
   } else if (packet.verb() == "state" && !packet.descriptors.empty()) {
     state_ = link::Segment<const link::StateSegment>::open(std::move(packet.descriptors.front()));
     progress_ns_ = link::now();
@@ -54,6 +56,7 @@ std::int64_t HalProcess::patience() const noexcept {
 
 void HalProcess::ended(std::int64_t now_ns) {
   state_ = {};
+  drives_.clear();
   respawns_.ended(now_ns);
 }
 

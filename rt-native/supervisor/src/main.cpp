@@ -28,7 +28,8 @@ int work(const Options& options) {
   for (const std::string& warning : config.warnings) {
     log.warn(warning);
   }
-  const std::string lack = options.nrt ? std::string() : lackOfRights(highestPriority(config));
+  const link::Reservation reservation{std::chrono::nanoseconds(config.hal.period).count(), config.hal.runtime};
+  const std::string lack = options.nrt ? std::string() : lackOfRights(highestPriority(config), reservation);
   if (!lack.empty() && !options.allow_non_rt) {
     log.error(lack);
     return 3;

@@ -32,6 +32,12 @@ int tryPriority(int priority) {
   return error;
 }
 
+int tryDeadline(const link::Reservation& reservation) {
+  int error = 0;
+  std::thread([&] { error = link::scheduleByDeadline(reservation); }).join();
+  return error;
+}
+
 int tryToLock() {
   const int error = link::lockMemory() ? 0 : errno;
   munlockall();
@@ -40,8 +46,12 @@ int tryToLock() {
 
 }  // namespace
 
-std::string lackOfRights(int priority) {
-  if (const int error = tryPriority(priority); error != 0) {
+std::string lackOfRights(int priority, const link::Reservation& reservation) {
+  if (const int error = priority == link::kByDeadline ? tryDeadline(reservation) : 0; error != 0) {
+    return "This process may not run in real time: " + link::deadlineRefusal(reservation, error) +
+           " Or go on without, at your own risk: --allow-non-rt.";
+  }
+  if (const int error = priority == link::kByDeadline ? 0 : tryPriority(priority); error != 0) {
     return "This process may not run in real time: priority " + std::to_string(priority) +
            " of SCHED_FIFO is refused (" + std::strerror(error) + ")." + kRemedy;
   }

@@ -10,13 +10,14 @@
 namespace robotui::rt::supervisor {
 namespace {
 
+constexpr const char* kNoHal = "The HAL is not there now: it is being started again.";
 constexpr std::size_t kDescriptionPiece = std::size_t{32} * 1024;
 
 }  // namespace
 
 void RobotRequests::attach(std::uint64_t client) {
   if (!hal_.isOpen()) {
-    replies_.answer(client, "The HAL is not there now: it is being started again.");
+    replies_.answer(client, kNoHal);
     return;
   }
   std::vector<link::Descriptor> shared;
@@ -28,9 +29,34 @@ void RobotRequests::attach(std::uint64_t client) {
   replies_.reply(client, "attached " + std::to_string(hosts_.size()), numbersOf(shared));
 }
 
-void RobotRequests::recover(std::uint64_t client) {
-  const bool asked = hal_.isOpen() && hal_.child().socket().send("recover");
-  replies_.answer(client, asked ? "" : "The HAL is not there now: it is being started again.");
+void RobotRequests::askHal(std::uint64_t client, std::string_view what) {
+  const bool asked = hal_.isOpen() && hal_.child().socket().send(std::string(what));
+  replies_.answer(client, asked ? "" : kNoHal);
+}
+
+// A plugin that runs and has joints; empty where none does.
+std::string RobotRequests::leader() {
+  const link::BoardData& board = board_.data();
+  for (std::uint32_t joint = 0; joint < board.joints; ++joint) {
+    const std::uint16_t owner = board_.owner(joint);
+    if (owner < board.plugins && board.plugin[owner].state == static_cast<std::uint32_t>(link::PluginState::kRunning))
+      return std::string(link::view(board.plugin[owner].name));
+  }
+  return {};
+}
+
+void RobotRequests::disable(std::uint64_t client) {
+  if (const std::string plugin = leader(); !plugin.empty())
+    replies_.answer(client, plugin + " leads joints: stop it before the drives are disabled.");
+  else
+    askHal(client, "disable");
+}
+
+void RobotRequests::drives(std::uint64_t client) {
+  if (hal_.isOpen())
+    replies_.reply(client, "ok " + hal_.drives());
+  else
+    replies_.answer(client, kNoHal);
 }
 
 void RobotRequests::describe(std::uint64_t client, std::string_view words) {

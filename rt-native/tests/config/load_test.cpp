@@ -2,6 +2,7 @@
 #include <limits>
 
 #include "robotui/rt/config/reader.h"
+#include "robotui/rt/link/deadline.h"
 #include "workspace.h"
 
 namespace robotui::rt::config {
@@ -124,6 +125,21 @@ xbotcore_plugins:
   EXPECT_EQ(config.threads[1].period, microseconds(10000));
   EXPECT_EQ(config.threads[1].host, "calm");
   EXPECT_EQ(config.plugins.at(0).thread, "slow");
+}
+
+TEST(Load, DeadlinesStandWherePrioritiesDo) {
+  const auto config = Workspace{}.load(R"(
+HALInterface: {sched: deadline, runtime: 0.2}
+xbotcore_threads:
+  fast: {sched: deadline, period: 0.001}
+  slow: {prio: 70, period: 0.01}
+)");
+  EXPECT_EQ(config.hal.priority, link::kByDeadline);
+  EXPECT_EQ(config.hal.runtime, 0.2);
+  EXPECT_EQ(config.threads.at(0).scheduling, Scheduling::kDeadline);
+  EXPECT_EQ(config.threads[0].priority, link::kByDeadline);
+  EXPECT_EQ(config.threads[0].runtime, 0.3);
+  EXPECT_EQ(config.threads.at(1).priority, 70);
 }
 
 TEST(Load, TheHalHasKeysOfOurs) {

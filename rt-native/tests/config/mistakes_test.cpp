@@ -51,6 +51,14 @@ TEST_F(Mistakes, LimitsOfJointsThatAreNot) {
   expect("HALInterface: {following_error: {elbow: a lot}}\n", "HALInterface.following_error.elbow");
 }
 
+TEST_F(Mistakes, DeadlinesThatTheKernelWouldRefuse) {
+  expect("HALInterface: {sched: deadline, core_id: 0}\n", "core_id cannot be with sched: deadline");
+  expect("HALInterface: {sched: deadline, prio: 80}\n", "prio means nothing with sched: deadline");
+  expect("HALInterface: {sched: deadline, runtime: 1}\n", "HALInterface.runtime");
+  expect("xbotcore_threads: {rt_main: {sched: deadline}}\n",
+         "the thread 'rt_main' has sched: deadline, which goes before the HAL's priority");
+}
+
 TEST_F(Mistakes, MissingKeys) {
   at.write("rt.yaml", "RobotName: x\n");
   try {

@@ -37,6 +37,34 @@ TEST(RealTime, a_core_that_is_not_there_is_refused_with_a_sentence) {
   EXPECT_NE(refusal->find("core_id"), std::string::npos);
 }
 
+// Where that is allowed; else it says what lacks, and goes on without where that is.
+TEST(RealTime, a_deadline_is_had_or_refused_with_a_sentence) {
+  Waiting waiting;
+  Rig rig(&waiting);
+  const LoopSettings settings{.period_ns = 4 * link::kMillisecond,
+                              .priority = link::kByDeadline,
+                              .runtime = 0.1,
+                              .core = std::nullopt,
+                              .allow_non_rt = true};
+  Loop loop(*rig.cycle, settings);
+  std::vector<std::string> refusals = loop.start();
+  link::StateReader reader(*rig.state);
+  ASSERT_TRUE(reader.wait(link::now() + 20 * link::kSecond));
+  const std::string refused = "The loop cannot keep its time: SCHED_DEADLINE with 400 us in each 4000 us is refused: ";
+  const bool had = std::none_of(refusals.begin(), refusals.end(),
+                                [&](const std::string& sentence) { return sentence.find(refused) == 0; });
+  EXPECT_EQ(link::relaxedLoad(rig.state->loop.priority), had ? link::kByDeadline : 0);
+}
+
+TEST(RealTime, what_helps_against_a_refused_deadline_is_said) {
+  const link::Reservation reservation{link::kMillisecond, 0.3};
+  EXPECT_EQ(link::deadlineRefusal(reservation, EBUSY),
+            "SCHED_DEADLINE with 300 us in each 1000 us is refused: Device or resource busy. So much time is not left "
+            "for it beside other such threads: write smaller runtimes or longer periods. Or write sched: fifo.");
+  EXPECT_NE(link::deadlineRefusal(reservation, EPERM).find("CAP_SYS_NICE"), std::string::npos);
+  EXPECT_NE(link::scheduleByDeadline({link::kMillisecond, 1.5}), 0);  // more than there is
+}
+
 // A plugin host of one thread that answers every cycle.
 class Answering {
  public:

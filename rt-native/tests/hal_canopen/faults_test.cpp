@@ -103,6 +103,41 @@ TEST_F(CanOpenTest, nothing_to_recover_is_said) {
   EXPECT_EQ(hal.recover(), std::vector<std::string>{"No drive waits to be enabled again."});
 }
 
+TEST_F(CanOpenTest, a_user_disables_the_drives_and_enables_them_again) {
+  open();
+  ASSERT_TRUE(cycleUntil(Status::kOk)) << all();
+  EXPECT_TRUE(stands(DrivePhase::kEnabled, "operation enabled"));
+  EXPECT_NE(hal.enable(true).front().find("No drive is disabled"), std::string::npos);
+  hal.enable(false);
+  ASSERT_TRUE(cycleUntil([&] { return stands(DrivePhase::kDisabled, "switch on disabled"); })) << all();
+  for (int i = 0; i < 50; ++i) EXPECT_EQ(cycle(), Status::kTimeout);  // it does not come back by itself
+  EXPECT_EQ(world.with(0, [](simulated::Drive& drive) { return drive.motor().state(); }),
+            DriveState::kSwitchOnDisabled);
+  EXPECT_EQ(hal.recover(), std::vector<std::string>{"No drive waits to be enabled again."});
+  EXPECT_EQ(hal.enable(true).size(), 2U);
+  EXPECT_TRUE(cycleUntil(Status::kOk)) << all();
+}
+
+TEST_F(CanOpenTest, drives_that_are_looked_at_alone_are_enabled_by_a_user) {
+  open(", enable: false");
+  ASSERT_TRUE(cycleUntil([&] { return stands(DrivePhase::kDisabled, "switch on disabled"); })) << all();
+  hal.enable(true);
+  EXPECT_TRUE(cycleUntil(Status::kOk)) << all();
+}
+
+TEST_F(CanOpenTest, a_fault_is_neither_enabled_nor_disabled) {
+  open();
+  ASSERT_TRUE(cycleUntil(Status::kOk)) << all();
+  world.with(0, [](simulated::Drive& drive) { drive.fail(0x3210); });
+  ASSERT_TRUE(cycleUntil([&] { return stands(DrivePhase::kFault, "0x3210 (DC link over-voltage)"); })) << all();
+  hal.enable(false);
+  ASSERT_TRUE(cycleUntil([&] { return hal.drives().back().phase == DrivePhase::kDisabled; })) << all();
+  EXPECT_TRUE(stands(DrivePhase::kFault, "0x3210 (DC link over-voltage)"));
+  EXPECT_EQ(hal.enable(true).size(), 1U);
+  EXPECT_EQ(hal.recover().size(), 1U);
+  EXPECT_TRUE(cycleUntil(Status::kOk)) << all();
+}
+
 TEST_F(CanOpenTest, a_bus_that_is_off_is_a_fault_until_it_restarts) {
   open();
   ASSERT_TRUE(cycleUntil(Status::kOk)) << all();

@@ -133,6 +133,11 @@ struct CanOpenTest : testing::Test {
     return std::any_of(told.begin(), told.end(),
                        [&](const std::string& line) { return line.find(words) != std::string::npos; });
   }
+  // Of the drive of joint_1, "fault: 0x3210 (DC link over-voltage)".
+  bool stands(DrivePhase phase, const std::string& detail) {
+    const DriveReport report = hal.drives().front();
+    return report.joint == "joint_1" && report.phase == phase && report.detail == detail;
+  }
   std::string all() const {
     std::string text;
     for (const std::string& line : told) text += line + "\n";

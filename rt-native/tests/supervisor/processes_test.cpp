@@ -218,6 +218,17 @@ TEST(Rights, AreRefusedWithTheReasonAndTheRemedyWhereTheyLack) {
   expectIn(robot.output(), "--allow-non-rt");
 }
 
+TEST(Rights, OfDeadlinesAreRefusedWithTheReasonAndTheRemedyWhereTheyLack) {
+  WholeConfig config = simulatedArm(kTutorial);
+  const std::string type = "type: dummy";
+  config.yaml.replace(config.yaml.find(type), type.size(), type + ", sched: deadline, runtime: 0.2");
+  RunningRobot robot(config, {}, Rights::kNone);
+  EXPECT_EQ(robot.outcome(), 3) << robot.output();
+  expectIn(robot.output(), "SCHED_DEADLINE with 200 us in each 1000 us is refused: Operation not permitted.");
+  expectIn(robot.output(), "AmbientCapabilities=CAP_SYS_NICE");
+  expectIn(robot.output(), "--allow-non-rt");
+}
+
 TEST(Rights, AreDoneWithoutWhereThatIsAllowedAndTheStateSaysSo) {
   RunningRobot robot(kTutorial, {"--allow-non-rt"}, Rights::kNone);
   expectOk(robot.ask("switch Sine 1"));
@@ -253,6 +264,18 @@ TEST(Processes, TellWhatTheRobotIsMadeOf) {
     EXPECT_EQ(cut.text.substr(0, 10), "0 </robot>");
   }
   EXPECT_TRUE(robot.ask("describe urdf 999999999").ok);
+}
+
+TEST(Processes, DrivesAreNotDisabledUnderAPluginThatLeadsThem) {
+  RunningRobot robot("XBotRTPlugins: {plugins: [Sine]}");
+  EXPECT_EQ(robot.ctl("drives"),
+            std::pair(0, std::string("The HAL of this robot has no drives that are enabled and disabled.\n")));
+  expectOk(robot.ask("switch Sine 1"));
+  expectIn(robot.ask("disable").text, "Sine leads joints: stop it before the drives are disabled.");
+  expectOk(robot.ask("switch Sine 0"));
+  expectOk(robot.ask("disable"));
+  EXPECT_TRUE(eventually(
+      [&] { return robot.output().find("has no drives that are enabled and disabled") != std::string::npos; }));
 }
 
 TEST(Processes, HostileRequestsGetSentences) {

@@ -7,6 +7,7 @@
 #include <thread>
 #include <utility>
 
+#include "emergency.h"
 #include "robotui/rt/link/clock.h"
 #include "start_up.h"
 
@@ -220,12 +221,38 @@ std::string CanOpen::retry(Drive& drive, const DriveSettings& settings) {
   }
 }
 
-std::vector<std::string> CanOpen::recover() {
+std::vector<std::string> CanOpen::bringBack(DrivePhase phase) {
   std::vector<std::string> sentences;
   for (std::size_t i = 0; i < drives_.size(); ++i)
-    if (drives_[i]->isFallen()) sentences.push_back(retry(*drives_[i], settings_.drives[i]));
+    if (drives_[i]->shown().phase == phase) sentences.push_back(retry(*drives_[i], settings_.drives[i]));
+  return sentences;
+}
+
+std::vector<std::string> CanOpen::recover() {
+  std::vector<std::string> sentences = bringBack(DrivePhase::kFault);
   if (sentences.empty()) sentences.emplace_back("No drive waits to be enabled again.");
   return sentences;
+}
+
+std::vector<std::string> CanOpen::enable(bool wanted) {
+  if (wanted) {
+    std::vector<std::string> sentences = bringBack(DrivePhase::kDisabled);
+    if (sentences.empty()) sentences.emplace_back("No drive is disabled; one in fault is brought back by recover.");
+    return sentences;
+  }
+  for (const auto& drive : drives_) drive->disable();
+  return {"All drives are told to be disabled. Until they are enabled all joints are safe."};
+}
+
+std::vector<DriveReport> CanOpen::drives() {
+  std::vector<DriveReport> reports;
+  for (std::size_t i = 0; i < drives_.size(); ++i) {
+    const ShownDrive shown = drives_[i]->shown();
+    const bool is_error = shown.phase == DrivePhase::kFault && shown.error != 0;
+    reports.push_back(
+        {settings_.drives[i].joint, shown.phase, is_error ? errorText(shown.error) : nameOf(shown.state)});
+  }
+  return reports;
 }
 
 }  // namespace robotui::rt::hal::canopen

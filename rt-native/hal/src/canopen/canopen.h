@@ -27,6 +27,8 @@ class CanOpen : public Hal {
   void close() noexcept override;
   std::vector<std::string> news() override;
   std::vector<std::string> recover() override;
+  std::vector<DriveReport> drives() override;
+  std::vector<std::string> enable(bool wanted) override;
 
  private:
   enum class Kind : std::uint8_t { kNone, kState, kHeartbeat, kEmergency };
@@ -46,6 +48,7 @@ class CanOpen : public Hal {
   bool send(const Frame& frame) noexcept;
   void tell(const Alarm& alarm) noexcept;
   void switchOff() noexcept;
+  std::vector<std::string> bringBack(DrivePhase phase);
   std::string retry(Drive& drive, const DriveSettings& settings);
 
   Settings settings_;

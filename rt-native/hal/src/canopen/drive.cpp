@@ -33,6 +33,8 @@ Drive::Drive(const Settings& settings, std::uint16_t index, const PdoLayout& lay
     frame_of_[pdo] = static_cast<std::uint8_t>(frame_count_++);
   }
   begin(now_ns);
+  if (!settings.enables) obey(Wish::kOff, now_ns);
+  shown_.store(toShow(), std::memory_order_release);
 }
 
 void Drive::begin(std::int64_t now_ns) noexcept {
@@ -44,7 +46,25 @@ void Drive::begin(std::int64_t now_ns) noexcept {
   follows_ = false;
   is_heard_ = true;
   error_ = told_error_ = 0;
-  fallen_.store(false, std::memory_order_release);
+}
+
+// One in fault stays so: only recover() resets it.
+void Drive::obey(Wish wish, std::int64_t now_ns) noexcept {
+  if (wish == Wish::kOn) {
+    begin(now_ns);
+  } else if (wish == Wish::kOff && phase_ != Phase::kFallen) {
+    phase_ = Phase::kDisabled;
+    follows_ = false;
+  }
+}
+
+ShownDrive Drive::toShow() const noexcept {
+  const DrivePhase phase = phase_ == Phase::kFallen     ? DrivePhase::kFault
+                           : !is_heard_                 ? DrivePhase::kSilent
+                           : phase_ == Phase::kDisabled ? DrivePhase::kDisabled
+                           : phase_ == Phase::kEnabled  ? DrivePhase::kEnabled
+                                                        : DrivePhase::kEnabling;
+  return {phase, state(), error_};
 }
 
 // Shorter ones than the drive said are none of ours.
@@ -75,13 +95,12 @@ Alarm Drive::alarm(Cause cause, std::uint32_t detail) const noexcept { return {c
 Alarm Drive::fall(Cause cause, std::uint32_t detail) noexcept {
   phase_ = Phase::kFallen;
   follows_ = false;
-  fallen_.store(true, std::memory_order_release);
   return alarm(cause, detail);
 }
 
 // What the drive said of itself: where it is not enabled any more it takes a person to go on.
 Alarm Drive::advance(std::int64_t now_ns) noexcept {
-  if (phase_ == Phase::kFallen || !settings_.enables) return {};
+  if (phase_ == Phase::kFallen || phase_ == Phase::kDisabled) return {};
   const bool operational = nmt_ == static_cast<std::uint8_t>(NmtState::kOperational);
   const bool enabled = was_heard_ && state() == DriveState::kEnabled;
   if (phase_ == Phase::kEnabled && !operational) return fall(Cause::kRestarted, nmt_);
@@ -121,9 +140,10 @@ Alarm Drive::emergency() noexcept {
 // All of it in each cycle: a drive in fault must not count as enabled while there is something else to tell.
 std::array<Alarm, 3> Drive::look(std::int64_t now_ns, bool was_asked) noexcept {
   ++cycle_;
-  if (retry_.exchange(false, std::memory_order_acquire)) begin(now_ns);
+  obey(wish_.exchange(Wish::kNone, std::memory_order_acquire), now_ns);
   const Alarm missing = watch(now_ns, was_asked);
   const Alarm state = advance(now_ns);
+  shown_.store(toShow(), std::memory_order_release);
   return {emergency(), missing, state};
 }
 
@@ -181,8 +201,8 @@ void Drive::command(const Reference* reference, bool robot_is_led) noexcept {
   if (phase_ != Phase::kEnabled) hold_ = position();
   lead(is_led ? *reference : Reference{hold_, 0, 0, 0, 0, link::kPosition});
   const bool edge = (cycle_ / kEdgeCycles) % 2 == 1;
-  set(layout_.control_word,
-      phase_ == Phase::kFallen || !was_heard_ || !settings_.enables ? kDisableVoltage : towardsEnabled(state(), edge));
+  const bool is_off = phase_ == Phase::kFallen || phase_ == Phase::kDisabled || !was_heard_;
+  set(layout_.control_word, is_off ? kDisableVoltage : towardsEnabled(state(), edge));
 }
 
 void Drive::commandOff() noexcept {

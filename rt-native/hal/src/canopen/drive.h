@@ -14,7 +14,14 @@
 
 namespace robotui::rt::hal::canopen {
 
-// On the real-time thread, but for retry() and cause(). Nothing waits or allocates.
+// How one stood in the last cycle.
+struct ShownDrive {
+  DrivePhase phase = DrivePhase::kEnabling;
+  DriveState state = DriveState::kNotReady;
+  std::uint16_t error = 0;  // of its last emergency
+};
+
+// On the real-time thread, but for what is said to be for others. Nothing waits or allocates.
 class Drive {
  public:
   // `now_ns` is when watching and enabling begin.
@@ -44,14 +51,16 @@ class Drive {
   std::optional<Alarm> refusal() noexcept;  // of the last command
 
   // ---- from an ordinary thread
-  void retry() noexcept { retry_.store(true, std::memory_order_release); }
+  void retry() noexcept { wish_.store(Wish::kOn, std::memory_order_release); }
+  void disable() noexcept { wish_.store(Wish::kOff, std::memory_order_release); }
   std::uint64_t lostStates() const noexcept { return lost_.load(std::memory_order_relaxed); }
-  bool isFallen() const noexcept { return fallen_.load(std::memory_order_acquire); }
+  ShownDrive shown() const noexcept { return shown_.load(std::memory_order_acquire); }
   const PdoLayout& layout() const noexcept { return layout_; }
   DriveState state() const noexcept { return stateOf(status_word_); }
 
  private:
-  enum class Phase : std::uint8_t { kEnabling, kEnabled, kFallen };
+  enum class Phase : std::uint8_t { kDisabled, kEnabling, kEnabled, kFallen };
+  enum class Wish : std::uint8_t { kNone, kOn, kOff };
 
   Alarm alarm(Cause cause, std::uint32_t detail = 0) const noexcept;
   Alarm fall(Cause cause, std::uint32_t detail = 0) noexcept;
@@ -59,6 +68,8 @@ class Drive {
   Alarm advance(std::int64_t now_ns) noexcept;
   Alarm watch(std::int64_t now_ns, bool was_asked) noexcept;
   void begin(std::int64_t now_ns) noexcept;
+  void obey(Wish wish, std::int64_t now_ns) noexcept;
+  ShownDrive toShow() const noexcept;
   void lead(const Reference& reference) noexcept;
   void set(const Field& field, std::uint32_t value) noexcept;
   std::uint32_t counts(double position) const noexcept;
@@ -94,8 +105,9 @@ class Drive {
   bool follows_ = false;  // the references of the robot
   std::uint8_t refused_mode_ = 0;
   std::atomic<std::uint64_t> lost_{0};
-  std::atomic<bool> retry_{false};
-  std::atomic<bool> fallen_{false};
+  std::atomic<Wish> wish_{Wish::kNone};
+  std::atomic<ShownDrive> shown_{};
+  static_assert(std::atomic<ShownDrive>::is_always_lock_free);
 };
 
 }  // namespace robotui::rt::hal::canopen

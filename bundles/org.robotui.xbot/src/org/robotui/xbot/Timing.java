@@ -7,7 +7,7 @@ import java.util.List;
  *
  * @param name of the thread
  * @param period between two cycles
- * @param priority of SCHED_FIFO, 0 is not real time
+ * @param priority of SCHED_FIFO, 0 is not real time, 100 is SCHED_DEADLINE
  * @param core the processor it is bound to, -1 is any
  * @param cycles how often it ran
  * @param overruns points in time at which it could not begin, since the cycle before was not done

@@ -100,20 +100,22 @@ struct HalConfig {
   double following_time = 0.5;
   std::chrono::microseconds period{1000};
   std::optional<int> core;
-  int priority = 90;
+  int priority = 90;        // link::kByDeadline is SCHED_DEADLINE
+  double runtime = 0.3;     // with that: share of the period that it may run
   int wake_latency_us = 0;  // how late processors may wake from idling; -1 is as they like
   YAML::Node
       params;  // of the type: a map, perhaps empty. Read it with Reader (reader.h): its mistakes have places, too
   Place place;
 };
 
-enum class Scheduling : std::uint8_t { kFifo, kOther };
+enum class Scheduling : std::uint8_t { kFifo, kOther, kDeadline };
 
 struct ThreadConfig {
   std::string name;
   std::string host;  // threads of one host share a process
   Scheduling scheduling = Scheduling::kFifo;
-  int priority = 60;
+  int priority = 60;     // link::kByDeadline is SCHED_DEADLINE
+  double runtime = 0.3;  // with that: share of the period that it may run
   std::chrono::microseconds period{1000};
   std::optional<int> core;
   Place place;

@@ -36,6 +36,21 @@ struct Reference {
   std::uint8_t mode;
 };
 
+// Where one drive stands in its life.
+enum class DrivePhase : std::uint8_t {
+  kDisabled = 0,  // its motor is off, and stays so until a user enables it
+  kEnabling = 1,
+  kEnabled = 2,
+  kFault = 3,  // its motor is off, and stays so until recover()
+  kSilent = 4  // nothing is heard of it
+};
+
+struct DriveReport {
+  std::string joint;
+  DrivePhase phase = DrivePhase::kDisabled;
+  std::string detail;  // for the user, one line; may be empty
+};
+
 // One robot. open() and close() are called on an ordinary thread and may block and allocate; sense() and move() are
 // called in turn on the real-time thread, once a cycle: they must not allocate, throw, or block longer than a fraction
 // of the period.
@@ -60,11 +75,20 @@ class Hal {
   // A user asks to bring parts of the hardware back that do not come back by themselves, such as a drive after a fault.
   // Sentences of what was done. On the ordinary thread, between open() and close(); it may block for some seconds.
   virtual std::vector<std::string> recover() { return {"This kind of HAL has nothing that is to be brought back."}; }
+
+  // Where its drives stand, by joint; empty where it has none that are enabled and disabled. Called as news().
+  virtual std::vector<DriveReport> drives() { return {}; }
+
+  // A user asks to enable the drives that are disabled, or to disable all of them; no plugin leads a joint then.
+  // Sentences of what was done. Called as recover().
+  virtual std::vector<std::string> enable(bool /*wanted*/) {
+    return {"This kind of HAL has no drives that are enabled and disabled."};
+  }
 };
 
 // What the library of a HAL of one's own exports, by ROBOTUI_RT_HAL(Class): its `lib_file` stands in the configuration.
 // A library of another number, or that was built another way, is refused.
-inline constexpr std::uint32_t kHalAbi = 5;
+inline constexpr std::uint32_t kHalAbi = 6;
 
 // Of this source file: internal linkage, so that no other file's list takes its place.
 constexpr link::AbiFact kHalFacts[] = {

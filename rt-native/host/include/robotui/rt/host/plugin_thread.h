@@ -20,13 +20,14 @@ struct ThreadPlan {
   std::string name;
   std::uint32_t index;  // in its host
   std::int64_t period_ns;
-  int priority;  // SCHED_FIFO; 0 is an ordinary thread
+  int priority;  // SCHED_FIFO; 0 is an ordinary thread, link::kByDeadline is SCHED_DEADLINE
   std::optional<int> core;
-  bool runs_alone;  // also runs its plugins while the robot does not cycle: IO plugins
+  bool runs_alone;     // also runs its plugins while the robot does not cycle: IO plugins
+  double runtime = 0;  // share of the period, with SCHED_DEADLINE
 };
 
 // Applies priority and core to the calling thread. Empty, or a sentence why it could not be done.
-std::string scheduleThisThread(int priority, std::optional<int> core);
+std::string scheduleThisThread(const ThreadPlan& plan);
 
 class PluginThread {
  public:

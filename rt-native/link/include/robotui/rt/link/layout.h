@@ -114,7 +114,7 @@ struct StateFrame {
 
 struct LoopStatistics {
   std::int64_t period_ns;
-  std::int32_t priority;  // SCHED_FIFO; 0 is not real time
+  std::int32_t priority;  // SCHED_FIFO; 0 is not real time, 100 is SCHED_DEADLINE
   std::int32_t core;      // -1 is any
   std::uint64_t cycles;
   std::uint64_t overruns;  // points of the grid at which no cycle could begin, since the one before was not done
@@ -166,7 +166,7 @@ struct CommandSlot {                    // of one thread
 struct ThreadStatistics {
   Name name;
   std::int64_t period_ns;
-  std::int32_t priority;  // SCHED_FIFO; 0 is not real time
+  std::int32_t priority;  // SCHED_FIFO; 0 is not real time, 100 is SCHED_DEADLINE
   std::int32_t core;      // -1 is any
   std::atomic<std::uint32_t>
       inside;  // plugin whose code runs just now, or kNobody: to be named when the host is killed

@@ -23,6 +23,9 @@ class HalProcess {
   const link::Segment<const link::StateSegment>& state() const noexcept { return state_; }
   const std::string& failure() const noexcept { return failure_; }  // what it said when it could not open
 
+  // Where its drives stand, as it said last; empty where it has none.
+  const std::string& drives() const noexcept { return drives_; }
+
   // Takes its state; throws link::SegmentError where that is none.
   void handle(link::Packet& packet);
 
@@ -41,6 +44,7 @@ class HalProcess {
   RespawnPolicy respawns_;
   link::Segment<const link::StateSegment> state_;
   std::string failure_;
+  std::string drives_;
   std::uint64_t last_cycle_ = 0;
   std::int64_t progress_ns_ = 0;
 };

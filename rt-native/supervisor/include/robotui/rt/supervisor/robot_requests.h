@@ -14,7 +14,7 @@ namespace robotui::rt::supervisor {
 class RobotRequests {
  public:
   RobotRequests(const config::RobotDescription& robot, HalProcess& hal, const HostSupervisor& hosts,
-                const BoardPublisher& board, ClientReplies& replies)
+                BoardPublisher& board, ClientReplies& replies)
       : robot_(robot), hal_(hal), hosts_(hosts), board_(board), replies_(replies) {}
 
   void attach(std::uint64_t client);
@@ -24,13 +24,21 @@ class RobotRequests {
   void describe(std::uint64_t client, std::string_view words);
 
   // Bring back what of the hardware does not come back by itself. What becomes of it is said in the log.
-  void recover(std::uint64_t client);
+  void recover(std::uint64_t client) { askHal(client, "recover"); }
+  // Enable or disable the drives; they are not disabled while a plugin leads a joint.
+  void enable(std::uint64_t client) { askHal(client, "enable"); }
+  void disable(std::uint64_t client);
+  // Where the drives stand: a line each, of phase, joint and detail.
+  void drives(std::uint64_t client);
 
  private:
+  void askHal(std::uint64_t client, std::string_view what);
+  std::string leader();
+
   const config::RobotDescription& robot_;
   HalProcess& hal_;
   const HostSupervisor& hosts_;
-  const BoardPublisher& board_;
+  BoardPublisher& board_;
   ClientReplies& replies_;
 };
 

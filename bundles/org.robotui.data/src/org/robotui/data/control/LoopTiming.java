@@ -26,7 +26,7 @@ public record LoopTiming(boolean realTime, List<Loop> loops) implements Data {
    * When a thread runs.
    *
    * @param period nanoseconds
-   * @param priority of the real-time scheduler; 0 is not real time
+   * @param priority of the real-time scheduler; 0 is not real time, 100 is by deadline in place of a priority
    * @param core the processor it is bound to; -1 is any
    */
   public record Schedule(long period, int priority, int core) {}

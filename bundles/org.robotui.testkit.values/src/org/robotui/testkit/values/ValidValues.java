@@ -19,6 +19,7 @@ import org.robotui.data.command.MessageCommand;
 import org.robotui.data.command.RelayMessage;
 import org.robotui.data.command.VelocityCommand;
 import org.robotui.data.control.ControlPlugins;
+import org.robotui.data.control.Drives;
 import org.robotui.data.control.Histogram;
 import org.robotui.data.control.LoopTiming;
 import org.robotui.data.geometry.Footprint;
@@ -143,6 +144,7 @@ public final class ValidValues {
         new JointCommand(List.of(new JointCommand.Joint("lift", new JointControl.Reference(0.6, 0, 0, 100, 10),
             Set.of(JointMode.POSITION)))),
         new LoopTiming(true, List.of(loop)),
+        new Drives(List.of(new Drives.Drive("lift", Drives.Phase.FAULT, "over-voltage"))),
         new ControlPlugins(List.of(new ControlPlugins.Plugin("walk", "libwalk.so", "host", "main",
             ControlPlugins.State.RUNNING, "well", "", 0, 1_000_000, 9, busy))),
         new MarkerFeedback("/feedback", "client", "goal", "move", MarkerFeedback.Event.POSE_UPDATE, MAP,

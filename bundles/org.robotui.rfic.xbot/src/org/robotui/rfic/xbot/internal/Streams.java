@@ -11,6 +11,7 @@ import org.robotui.data.ClockKind;
 import org.robotui.data.Data;
 import org.robotui.data.Stamp;
 import org.robotui.data.control.ControlPlugins;
+import org.robotui.data.control.Drives;
 import org.robotui.data.control.LoopTiming;
 import org.robotui.data.geometry.Wrench;
 import org.robotui.data.joint.JointControl;
@@ -33,6 +34,7 @@ final class Streams implements AutoCloseable {
   private final Stream<JointModel> model;
   private final Stream<ControlPlugins> plugins;
   private final Stream<LoopTiming> timing;
+  private final Stream<Drives> drives;
   private final List<Stream<Imu>> imus;
   private final List<Stream<Wrench>> forceTorques;
   private final List<Publication<?>> all = new ArrayList<>();
@@ -58,6 +60,7 @@ final class Streams implements AutoCloseable {
     this.model = new Stream<>(XbotPorts.MODEL);
     this.plugins = new Stream<>(XbotPorts.PLUGINS);
     this.timing = new Stream<>(XbotPorts.TIMING);
+    this.drives = new Stream<>(XbotPorts.DRIVES);
     this.imus = board.imus().stream().map(name -> new Stream<>(XbotPorts.imu(name))).toList();
     this.forceTorques = board.forceTorques().stream().map(name -> new Stream<>(XbotPorts.forceTorque(name))).toList();
   }
@@ -88,6 +91,16 @@ final class Streams implements AutoCloseable {
         .filter(i -> forceTorques.get(i).wanted).forEach(i -> forceTorques.get(i).publication.publish(
             Convert.wrench(frames.sensor(board.forceTorques().get(i)), state.forceTorques().get(i)), stamp, measured,
             Optional.empty()));
+  }
+
+  /** Whether somebody looks at the drives. */
+  boolean wantsDrives() {
+    return drives.wanted;
+  }
+
+  /** Where the drives stand, a few times a second. */
+  void publish(Drives now) {
+    drives.publication.publish(now, Optional.of(stamp(System.nanoTime())));
   }
 
   /** What users look at a few times a second. */

@@ -9,7 +9,7 @@ import org.robotui.api.port.PluginRequest;
 import org.robotui.xbot.Answer;
 import org.robotui.xbot.RtClient;
 
-/** Asks the supervisor what users ask of plugins. */
+/** Asks the supervisor what users ask of plugins and drives. */
 final class Verbs implements CallHandler<PluginRequest, PluginReply> {
   private final RtClient client;
 
@@ -33,7 +33,7 @@ final class Verbs implements CallHandler<PluginRequest, PluginReply> {
   }
 
   private static String words(PluginRequest request) throws CallException {
-    if (request.plugin().isBlank() || request.plugin().chars().anyMatch(Character::isWhitespace)) {
+    if (!isOfDrives(request.verb()) && !isName(request.plugin())) {
       throw new CallException("'" + request.plugin() + "' is no name of a plugin");
     }
     return switch (request.verb()) {
@@ -41,6 +41,20 @@ final class Verbs implements CallHandler<PluginRequest, PluginReply> {
       case STOP -> "switch " + request.plugin() + " 0";
       case RELOAD -> "reload " + request.plugin();
       case COMMAND -> "command " + request.plugin() + " " + request.words();
+      case ENABLE_DRIVES -> "enable";
+      case DISABLE_DRIVES -> "disable";
+      case RECOVER_DRIVES -> "recover";
+    };
+  }
+
+  private static boolean isName(String plugin) {
+    return !plugin.isBlank() && plugin.chars().noneMatch(Character::isWhitespace);
+  }
+
+  private static boolean isOfDrives(PluginRequest.Verb verb) {
+    return switch (verb) {
+      case ENABLE_DRIVES, DISABLE_DRIVES, RECOVER_DRIVES -> true;
+      case START, STOP, RELOAD, COMMAND -> false;
     };
   }
 }

@@ -11,6 +11,7 @@ import org.robotui.api.port.ServiceReply;
 import org.robotui.api.port.ServiceRequest;
 import org.robotui.api.port.StreamPort;
 import org.robotui.data.control.ControlPlugins;
+import org.robotui.data.control.Drives;
 import org.robotui.data.control.LoopTiming;
 import org.robotui.data.geometry.Wrench;
 import org.robotui.data.joint.JointCommand;
@@ -40,17 +41,20 @@ final class XbotPorts {
   static final StreamPort<DynamicRecord> CYCLES =
       new StreamPort<>("cycles", DynamicRecord.class, Arity.MANY,
           "every cycle of the control with all joints, for recordings and plots");
+  static final StreamPort<Drives> DRIVES =
+      new StreamPort<>("drives", Drives.class, Arity.MANY, "where the drives of the joints stand");
   static final CommandPort<JointCommand> COMMAND =
       new CommandPort<>("joint_command", JointCommand.class, Arity.MANY,
           "what the joints shall do, while the communication plugin runs");
   static final CallPort<PluginRequest, PluginReply> VERBS =
       new CallPort<>("plugin_verbs", PluginRequest.class, PluginReply.class, Arity.MANY,
-          "starts, stops and reloads plugins", true);
+          "starts, stops and reloads plugins; enables and disables drives", true);
   static final CallPort<ServiceRequest, ServiceReply> SERVICES =
       new CallPort<>("services", ServiceRequest.class, ServiceReply.class,
           Arity.MANY, "stop_plugins stops all plugins: for the stop_call of a robot's safety");
 
-  static final List<Port> ALL = List.of(JOINTS, CONTROL, MODEL, PLUGINS, TIMING, CYCLES, COMMAND, VERBS, SERVICES);
+  static final List<Port> ALL =
+      List.of(JOINTS, CONTROL, MODEL, PLUGINS, TIMING, DRIVES, CYCLES, COMMAND, VERBS, SERVICES);
 
   private XbotPorts() {}
 

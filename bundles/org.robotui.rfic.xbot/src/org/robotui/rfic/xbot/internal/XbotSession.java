@@ -11,7 +11,9 @@ import org.robotui.api.link.LinkState;
 import org.robotui.api.port.Offer;
 import org.robotui.api.session.LinkChanges;
 import org.robotui.api.session.RobotSession;
+import org.robotui.data.control.Drives;
 import org.robotui.data.joint.RobotDescription;
+import org.robotui.xbot.Answer;
 import org.robotui.xbot.Board;
 import org.robotui.xbot.HostReading;
 import org.robotui.xbot.RtClient;
@@ -39,6 +41,7 @@ final class XbotSession implements RobotSession {
   private long newestSince = System.nanoTime();
   private long slowAt;
   private String damage = "";
+  private Drives drives = new Drives(List.of());
 
   XbotSession(RficContext context, XbotSettings settings, RtClient client) throws IOException {
     this.context = context;
@@ -95,8 +98,18 @@ final class XbotSession implements RobotSession {
       List<HostReading> hosts = client.hosts();
       damage = Convert.damage(board, hosts);
       streams.publishSlow(board, client.loop(), hosts);
+      readDrives();
     }
     link.report(state(board, now));
+  }
+
+  /** A question to the supervisor: asked where somebody wants to know, or hardware that does not answer may be off. */
+  private void readDrives() throws IOException {
+    if (streams.wantsDrives() || hardware == StateFrame.Hardware.TIMEOUT) {
+      Answer answer = client.request("drives", ASK);
+      drives = answer.ok() ? DriveReader.read(answer.text()) : new Drives(List.of());
+      streams.publish(drives);
+    }
   }
 
   private void publish(Board board, StateFrame state) {
@@ -111,7 +124,8 @@ final class XbotSession implements RobotSession {
           "no cycle for " + SILENT.toMillis() + " ms: the process at the hardware stands still or is gone");
     }
     return switch (hardware) {
-      case TIMEOUT -> new LinkState.Degraded(peer, "the hardware does not answer in time");
+      case TIMEOUT -> new LinkState.Degraded(peer,
+          DriveReader.off(drives).orElse("the hardware does not answer in time"));
       case FAULT -> new LinkState.Degraded(peer, "the hardware reports a fault");
       case OK -> damage.isEmpty() ? new LinkState.Connected(peer) : new LinkState.Degraded(peer, damage);
     };

@@ -21,7 +21,7 @@ final class PluginsUic extends SurfaceUic<PluginsSurface> {
   PluginsUic(UicContext context) {
     SettingsStore settings = context.settings();
     model = new PluginsModel(context, context.input(PluginsPorts.PLUGINS), context.input(PluginsPorts.TIMING),
-        context.caller(PluginsPorts.VERBS),
+        context.input(PluginsPorts.DRIVES), context.caller(PluginsPorts.VERBS),
         () -> Duration.ofNanos((long) (settings.current().number(PluginsType.TIMEOUT) * NANOS)));
     offers().add("reset", "Reset the figures", Icon.RESTART, this::reset)
         .add("start", "Figures since the start", Icon.UNDO, this::sinceStart);

@@ -10,6 +10,9 @@ import org.robotui.api.port.SourceId;
 import org.robotui.data.control.ControlPlugins;
 import org.robotui.data.control.ControlPlugins.Plugin;
 import org.robotui.data.control.ControlPlugins.State;
+import org.robotui.data.control.Drives.Drive;
+import org.robotui.data.control.Drives.Phase;
+import org.robotui.data.control.Drives;
 import org.robotui.data.control.Histogram;
 import org.robotui.data.control.LoopTiming;
 import org.robotui.data.control.LoopTiming.Counts;
@@ -21,9 +24,11 @@ import org.robotui.testkit.FakeUicContext;
 public final class Controls {
   public static final SourceId PLUGINS = new SourceId("base", "plugins");
   public static final SourceId TIMING = new SourceId("base", "timing");
+  public static final SourceId DRIVES = new SourceId("base", "drives");
   public static final SourceId VERBS = new SourceId("base", "plugin_verbs");
   public static final long MILLI = 1_000_000;
 
+  private static final String OVER_VOLTAGE = "0x3210 (DC link over-voltage)";
   private static final int BUCKETS = 96;
   private static final List<Long> LOWER =
       IntStream.range(0, BUCKETS).mapToObj(i -> i == 0 ? 0L : Math.round(100 * Math.pow(2, i / 4.0))).toList();
@@ -83,6 +88,12 @@ public final class Controls {
         new Loop("slow", "motion", new Schedule(10 * MILLI, realTime ? 60 : 0, -1), new Counts(12_040, 3, 0, 17, 2),
             durations(12_040, 14_000, 2_300_000),
             durations(12_040, 60_000, 11_700_000))));
+  }
+
+  /** Three drives in these phases. */
+  public static Drives drives(Phase first, Phase second, Phase third) {
+    return new Drives(List.of(new Drive("shoulder", first, first == Phase.FAULT ? OVER_VOLTAGE : "operation enabled"),
+        new Drive("elbow", second, "operation enabled"), new Drive("wrist", third, "operation enabled")));
   }
 
   /** Puts a control into the inputs. */

@@ -11,6 +11,7 @@ import org.robotui.api.port.PluginReply;
 import org.robotui.api.port.PluginRequest;
 import org.robotui.api.port.PluginRequest.Verb;
 import org.robotui.data.control.ControlPlugins;
+import org.robotui.data.control.Drives.Phase;
 import org.robotui.testkit.FakeAuthority;
 import org.robotui.testkit.FakeCaller;
 import org.robotui.testkit.FakeUicContext;
@@ -84,6 +85,11 @@ final class Gallery {
     cell(0, 0, 564, 640, "plugin gravity", (c, u) -> Controls.put(c, Controls.arm(), Controls.timing(true)));
     cell(570, 0, 564, 640, "plugin cartesian", (c, u) -> Controls.put(c, Controls.arm(), Controls.timing(true)));
     cell(1140, 0, 436, 640, "loop motion/slow", (c, u) -> Controls.put(c, Controls.arm(), Controls.timing(false)));
+    cell(1096, 646, 480, 354, "drives", (c, u) -> {
+      Controls.put(c, Controls.arm(), Controls.timing(true));
+      c.input(PluginsPorts.DRIVES).put(Controls.DRIVES, Controls.drives(Phase.FAULT, Phase.ENABLED, Phase.DISABLED), 0,
+          Optional.empty());
+    });
     cell(0, 646, 1090, 354, "plugin logging", (c, u) -> {
       Controls.put(c, Controls.arm(), Controls.timing(true));
       c.input(PluginsPorts.PLUGINS).state(new InputState.Stale(3.4, "silent"));

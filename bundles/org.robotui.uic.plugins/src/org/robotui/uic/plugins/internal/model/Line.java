@@ -3,7 +3,7 @@ package org.robotui.uic.plugins.internal.model;
 import org.robotui.ui.Health;
 
 /** A line of the list. */
-public sealed interface Line permits LoopLine, PluginLine {
+public sealed interface Line permits LoopLine, PluginLine, DrivesLine {
   /** What identifies it, so that it stays selected while others come and go. */
   String key();
 

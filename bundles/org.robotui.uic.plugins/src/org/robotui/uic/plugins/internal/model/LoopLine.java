@@ -24,6 +24,7 @@ import org.robotui.ui.Health;
 public record LoopLine(String process, String thread, Optional<Schedule> schedule, Counts counts, Evidence wakeUp,
     Evidence busy, long period)
     implements Line {
+  private static final int BY_DEADLINE = 100;
   private static final Histogram NOTHING = new Histogram(List.of(), List.of(), 0);
 
   /** A thread that is measured. */
@@ -73,7 +74,8 @@ public record LoopLine(String process, String thread, Optional<Schedule> schedul
   /** When it runs, for a reader. */
   public String scheduled() {
     return schedule.map(s -> Stream.of("every " + Durations.period(s.period()),
-        s.priority() > 0 ? "real-time priority " + s.priority() : "no real-time priority",
+        s.priority() == BY_DEADLINE ? "by deadline"
+            : s.priority() > 0 ? "real-time priority " + s.priority() : "no real-time priority",
         s.core() >= 0 ? "processor " + s.core() : "any processor").collect(Collectors.joining(", ")))
         .orElse("This thread is not measured");
   }

@@ -11,7 +11,7 @@ import org.robotui.ui.Health;
  *
  * @param line the line
  * @param loop its thread
- * @param told what became of what was asked of the plugin
+ * @param told what became of what was asked of the plugin or the drives
  * @param since from when on the figures count
  * @param usable whether plugins can be switched now
  * @param stale how old all of that is, where it is not told any more; else empty
@@ -21,7 +21,21 @@ public record PluginDetail(Line line, LoopLine loop, PluginNotice told, String s
   public static Optional<PluginDetail> of(PluginsLook look, String key) {
     return look.lines().stream().filter(line -> line.key().equals(key)).findFirst()
         .flatMap(line -> look.loop(line).map(loop -> new PluginDetail(line, loop,
-            look.told().getOrDefault(line.name(), PluginNotice.NOTHING), look.since(), look.usable(), look.stale())));
+            look.told().getOrDefault(subject(line), PluginNotice.NOTHING), look.since(), look.usable(), look.stale())));
+  }
+
+  private static String subject(Line line) {
+    return line instanceof DrivesLine ? DrivesLine.ALL : line.name();
+  }
+
+  /** The drives, where it is those. */
+  public Optional<DrivesLine> drives() {
+    return line instanceof DrivesLine drives ? Optional.of(drives) : Optional.empty();
+  }
+
+  /** Whether something can be asked of it. */
+  public boolean isAskable() {
+    return !(line instanceof LoopLine);
   }
 
   /** The plugin, where it is one. */
@@ -34,7 +48,7 @@ public record PluginDetail(Line line, LoopLine loop, PluginNotice told, String s
     return plugin()
         .map(p -> Stream.of(p.plugin().type(), "in " + loop.name()).filter(part -> !part.isBlank())
             .collect(Collectors.joining(", ")))
-        .orElse("thread");
+        .orElse(drives().isPresent() ? "of the joints" : "thread");
   }
 
   /** Whether what is seen is old. */
@@ -44,7 +58,7 @@ public record PluginDetail(Line line, LoopLine loop, PluginNotice told, String s
 
   /** The dot of that. */
   public Health health() {
-    return isStale() ? Health.STALE : plugin().map(PluginLine::health).orElse(Health.NONE);
+    return isStale() ? Health.STALE : isAskable() ? line.health() : Health.NONE;
   }
 
   /** How it is doing, with what it says of itself. */
@@ -57,7 +71,7 @@ public record PluginDetail(Line line, LoopLine loop, PluginNotice told, String s
         + (p.plugin().respawns() == 0 ? ""
             : p.plugin().respawns() == 1 ? " \u00b7 its process was started again once"
                 : " \u00b7 its process was started again " + p.plugin().respawns() + " times"))
-        .orElseGet(loop::scheduled);
+        .or(() -> drives().map(DrivesLine::counted)).orElseGet(loop::scheduled);
   }
 
   private static boolean saysNoMore(PluginLine plugin) {
@@ -67,8 +81,9 @@ public record PluginDetail(Line line, LoopLine loop, PluginNotice told, String s
 
   /** What is wrong, whole; empty where nothing is. */
   public String problem() {
-    String answer = plugin().isPresent() && told.health() == Health.BAD ? told.text() : "";
-    String error = plugin().map(p -> p.plugin().error().strip()).orElse("");
+    String answer = isAskable() && told.health() == Health.BAD ? told.text() : "";
+    String error =
+        plugin().map(p -> p.plugin().error().strip()).or(() -> drives().map(DrivesLine::problem)).orElse("");
     return Stream.of(answer, error).filter(part -> !part.isBlank()).distinct().collect(Collectors.joining("\n"));
   }
 

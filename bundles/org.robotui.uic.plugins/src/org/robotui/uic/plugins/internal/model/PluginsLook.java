@@ -9,6 +9,7 @@ import java.util.stream.Stream;
 import org.robotui.api.port.InputState;
 import org.robotui.data.control.ControlPlugins.State;
 import org.robotui.ui.Figures;
+import org.robotui.ui.Health;
 import org.robotui.ui.StateView;
 import org.robotui.ui.ask.ControlFirst;
 
@@ -17,14 +18,15 @@ import org.robotui.ui.ask.ControlFirst;
  *
  * @param state of what is told of the plugins
  * @param groups threads with their plugins
+ * @param drives those of the joints, where there are some; below the first thread, which is that of the hardware
  * @param realTime whether times are guaranteed, where that is told
  * @param sinceReset how long ago the figures were reset, seconds, where they were
  * @param told by plugin: what became of what was asked
  * @param question whether to take over from somebody
  * @param switchable whether there is a control that switches plugins
  */
-public record PluginsLook(InputState state, List<Group> groups, Optional<Boolean> realTime, Optional<Long> sinceReset,
-    Map<String, PluginNotice> told,
+public record PluginsLook(InputState state, List<Group> groups, Optional<DrivesLine> drives,
+    Optional<Boolean> realTime, Optional<Long> sinceReset, Map<String, PluginNotice> told,
     Optional<ControlFirst.Question> question, boolean switchable) {
   /** Copies the list and the map. */
   public PluginsLook {
@@ -39,13 +41,14 @@ public record PluginsLook(InputState state, List<Group> groups, Optional<Boolean
       lines.add(group.loop());
       lines.addAll(group.plugins());
     });
+    drives.ifPresent(line -> lines.add(Math.min(1, lines.size()), line));
     return List.copyOf(lines);
   }
 
   /** The thread of a line. */
   public Optional<LoopLine> loop(Line line) {
     return groups.stream()
-        .filter(group -> group.loop().key().equals(line.key())
+        .filter(group -> line instanceof DrivesLine || group.loop().key().equals(line.key())
             || group.plugins().stream().anyMatch(p -> p.key().equals(line.key())))
         .map(Group::loop).findFirst();
   }
@@ -78,6 +81,7 @@ public record PluginsLook(InputState state, List<Group> groups, Optional<Boolean
     return Stream.of(
         plugins.isEmpty() ? "" : running + " of " + plugins.size() + " running",
         failed == 0 ? "" : failed + " failed",
+        drives.filter(line -> line.health() != Health.OK).map(line -> "drives: " + line.word()).orElse(""),
         isNotRealTime() ? "no real-time rights" : "",
         StateView.word(state))
         .filter(part -> !part.isEmpty()).collect(Collectors.joining(" \u00b7 "));

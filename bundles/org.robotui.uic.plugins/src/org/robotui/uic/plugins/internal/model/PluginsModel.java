@@ -15,6 +15,7 @@ import org.robotui.api.port.PluginRequest;
 import org.robotui.data.Data;
 import org.robotui.data.control.ControlPlugins;
 import org.robotui.data.control.ControlPlugins.State;
+import org.robotui.data.control.Drives;
 import org.robotui.data.control.LoopTiming;
 import org.robotui.ui.StateView;
 import org.robotui.ui.ask.ControlFirst;
@@ -25,18 +26,20 @@ public final class PluginsModel {
 
   private final Input<ControlPlugins> plugins;
   private final Input<LoopTiming> timing;
+  private final Input<Drives> drives;
   private final ControlFirst control;
   private final Verbs verbs;
   private Optional<Baseline> baseline = Optional.empty();
   private Map<String, State> states = Map.of();
+  private Optional<Drives> told = Optional.empty();
   private volatile PluginsLook look;
 
   /** With the inputs and the control that switches plugins. */
   public PluginsModel(UicContext context, Input<ControlPlugins> plugins, Input<LoopTiming> timing,
-      Caller<PluginRequest, PluginReply> caller,
-      Supplier<Duration> timeout) {
+      Input<Drives> drives, Caller<PluginRequest, PluginReply> caller, Supplier<Duration> timeout) {
     this.plugins = plugins;
     this.timing = timing;
+    this.drives = drives;
     control = new ControlFirst(context);
     verbs = new Verbs(caller, control, timeout);
     look = now(System.nanoTime());
@@ -87,6 +90,10 @@ public final class PluginsModel {
       }
     });
     states = Map.copyOf(current);
+    if (!told.equals(newest(drives))) {
+      told = newest(drives);
+      verbs.changed(DrivesLine.ALL);
+    }
   }
 
   private PluginsLook now(long nowNanos) {
@@ -94,7 +101,9 @@ public final class PluginsModel {
     List<Group> groups = StateView.showsContent(plugins.state())
         ? newest(plugins).map(told -> Group.of(told, measured, baseline, verbs::isPending)).orElse(List.of())
         : List.of();
-    return new PluginsLook(plugins.state(), groups, measured.map(LoopTiming::realTime),
+    Optional<DrivesLine> line = groups.isEmpty() || !StateView.showsContent(drives.state()) ? Optional.empty()
+        : newest(drives).flatMap(now -> DrivesLine.of(now, verbs.isPending(DrivesLine.ALL)));
+    return new PluginsLook(plugins.state(), groups, line, measured.map(LoopTiming::realTime),
         baseline.map(b -> (nowNanos - b.nanos()) / SECOND),
         verbs.told(), control.question(), verbs.isConnected());
   }

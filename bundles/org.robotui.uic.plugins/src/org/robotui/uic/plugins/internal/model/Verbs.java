@@ -15,8 +15,8 @@ import org.robotui.ui.Health;
 import org.robotui.ui.ask.ControlFirst;
 
 /**
- * Asks the control to do something with a plugin, once the user has control of the robot. One request a plugin at a
- * time. All threads.
+ * Asks the control to do something with a plugin or the drives, once the user has control of the robot. One request a
+ * plugin at a time. All threads.
  */
 public final class Verbs {
   private final Caller<PluginRequest, PluginReply> caller;
@@ -105,6 +105,9 @@ public final class Verbs {
       case STOP -> "Stopping " + request.plugin();
       case RELOAD -> "Reloading " + request.plugin();
       case COMMAND -> "Sending \u201c" + request.words() + "\u201d";
+      case ENABLE_DRIVES -> "Enabling the drives";
+      case DISABLE_DRIVES -> "Disabling the drives";
+      case RECOVER_DRIVES -> "Bringing drives back";
     };
   }
 
@@ -114,6 +117,9 @@ public final class Verbs {
       case STOP -> "Stopped";
       case RELOAD -> "Reloaded";
       case COMMAND -> "\u201c" + request.words() + "\u201d was taken";
+      case ENABLE_DRIVES -> "The hardware was asked to enable the drives";
+      case DISABLE_DRIVES -> "The hardware was asked to disable the drives";
+      case RECOVER_DRIVES -> "The hardware was asked to bring the drives back";
     };
   }
 
@@ -123,6 +129,9 @@ public final class Verbs {
       case STOP -> "Not stopped";
       case RELOAD -> "Not reloaded";
       case COMMAND -> "\u201c" + request.words() + "\u201d was not taken";
+      case ENABLE_DRIVES -> "Drives not enabled";
+      case DISABLE_DRIVES -> "Drives not disabled";
+      case RECOVER_DRIVES -> "Drives not brought back";
     };
   }
 }

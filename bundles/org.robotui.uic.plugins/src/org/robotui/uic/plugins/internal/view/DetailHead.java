@@ -7,6 +7,7 @@ import org.eclipse.swt.graphics.Rectangle;
 import org.eclipse.swt.layout.GridData;
 import org.eclipse.swt.widgets.Composite;
 import org.robotui.api.port.PluginRequest.Verb;
+import org.robotui.data.control.Drives.Phase;
 import org.robotui.ui.Face;
 import org.robotui.ui.Icon;
 import org.robotui.ui.PaintedCanvas;
@@ -15,6 +16,7 @@ import org.robotui.ui.TextFit;
 import org.robotui.ui.Theme;
 import org.robotui.ui.control.Boxes;
 import org.robotui.ui.control.QuietButton;
+import org.robotui.uic.plugins.internal.model.DrivesLine;
 import org.robotui.uic.plugins.internal.model.PluginDetail;
 import org.robotui.uic.plugins.internal.model.PluginLine;
 import org.robotui.uic.plugins.internal.model.Verbs;
@@ -29,11 +31,14 @@ final class DetailHead {
   private final QuietButton start;
   private final QuietButton stop;
   private final QuietButton reload;
+  private final QuietButton enable;
+  private final QuietButton disable;
+  private final QuietButton recover;
   private Optional<PluginDetail> shown = Optional.empty();
 
   DetailHead(Composite parent, Theme theme, Verbs verbs, Runnable done) {
     this.theme = theme;
-    root = Boxes.bar(parent, theme, 4);
+    root = Boxes.bar(parent, theme, 7);
     name = new PaintedCanvas(root, theme, this::paint);
     GridData wide = new GridData(SWT.FILL, SWT.CENTER, true, false);
     wide.widthHint = 0;
@@ -43,6 +48,24 @@ final class DetailHead {
     stop = button("Stop", Icon.STOP, () -> ask(verbs, Verb.STOP, done));
     reload = button("Reload", Icon.RESTART, () -> ask(verbs, Verb.RELOAD, done))
         .hint("Loads it again from its library; it must not run");
+    enable = button("Enable", Icon.PLAY, () -> askAll(verbs, Verb.ENABLE_DRIVES, done))
+        .hint("Enables the drives that are disabled; joints hold where they are");
+    disable = button("Disable", Icon.STOP, () -> askAll(verbs, Verb.DISABLE_DRIVES, done))
+        .hint("Switches all motors off; no plugin may lead a joint");
+    recover = button("Recover", Icon.RESTART, () -> askAll(verbs, Verb.RECOVER_DRIVES, done))
+        .hint("Resets the faults and enables those drives again: mend the cause first");
+  }
+
+  QuietButton enable() {
+    return enable;
+  }
+
+  QuietButton disable() {
+    return disable;
+  }
+
+  QuietButton recover() {
+    return recover;
   }
 
   QuietButton start() {
@@ -57,14 +80,28 @@ final class DetailHead {
     shown = Optional.of(detail);
     boolean on = detail.plugin().filter(PluginLine::isOn).isPresent();
     boolean plugin = detail.plugin().isPresent();
-    if (Boxes.seen(start, plugin && !on) | Boxes.seen(stop, plugin && on) | Boxes.seen(reload, plugin)) {
+    boolean drives = detail.drives().isPresent();
+    if (Boxes.seen(start, plugin && !on) | Boxes.seen(stop, plugin && on) | Boxes.seen(reload, plugin)
+        | Boxes.seen(enable, drives) | Boxes.seen(disable, drives) | Boxes.seen(recover, drives)) {
       root.layout();
     }
+    enable.setEnabled(isPossible(detail, Phase.DISABLED));
+    disable.setEnabled(isPossible(detail, Phase.ENABLED) || isPossible(detail, Phase.ENABLING));
+    recover.setEnabled(isPossible(detail, Phase.FAULT));
     boolean switchable = detail.usable() && detail.plugin().filter(PluginLine::isSwitchable).isPresent();
     start.setEnabled(switchable);
     stop.setEnabled(switchable);
     reload.setEnabled(detail.usable() && detail.plugin().filter(PluginLine::isReloadable).isPresent());
     name.redraw();
+  }
+
+  private static boolean isPossible(PluginDetail detail, Phase phase) {
+    return detail.usable() && detail.drives().filter(drives -> !drives.pending() && drives.has(phase)).isPresent();
+  }
+
+  private static void askAll(Verbs verbs, Verb verb, Runnable done) {
+    verbs.ask(DrivesLine.ALL, verb, "");
+    done.run();
   }
 
   private void ask(Verbs verbs, Verb verb, Runnable done) {

@@ -14,6 +14,7 @@ import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 import org.robotui.ui.control.RowLook;
 import org.robotui.ui.control.RowWords;
+import org.robotui.uic.plugins.internal.model.DrivesLine;
 import org.robotui.uic.plugins.internal.model.Line;
 import org.robotui.uic.plugins.internal.model.LoopLine;
 import org.robotui.uic.plugins.internal.model.PluginColumn.Place;
@@ -126,19 +127,25 @@ final class ListLook implements RowLook<Line> {
       case PluginLine plugin -> switches.paint(gc, cell, plugin, usable);
       case LoopLine loop -> HealthDot.paint(gc, theme, loop.health(), cell.x + cell.width / 2,
           cell.y + cell.height / 2);
+      case DrivesLine drives -> {}
     }
   }
 
-  /** A thread is named where the switches of its plugins stand; they are set in a little, each with its dot. */
+  /**
+   * A thread is named where the switches of its plugins stand; what is below it is set in a little, each with its dot.
+   */
   private void name(GC gc, Rectangle at, Line line) {
     switch (line) {
       case LoopLine loop -> text.cell(gc, at, loop.name(), Face.BODY_STRONG, theme.color(Role.TEXT), false);
-      case PluginLine plugin -> {
-        HealthDot.paint(gc, theme, plugin.health(), at.x + HealthDot.SIZE / 2, at.y + at.height / 2);
-        text.cell(gc, new Rectangle(at.x + DOT, at.y, Math.max(0, at.width - DOT), at.height), plugin.name(), Face.BODY,
-            theme.color(Role.TEXT), false);
-      }
+      case PluginLine part -> set(gc, at, part);
+      case DrivesLine part -> set(gc, at, part);
     }
+  }
+
+  private void set(GC gc, Rectangle at, Line part) {
+    HealthDot.paint(gc, theme, part.health(), at.x + HealthDot.SIZE / 2, at.y + at.height / 2);
+    text.cell(gc, new Rectangle(at.x + DOT, at.y, Math.max(0, at.width - DOT), at.height), part.name(), Face.BODY,
+        theme.color(Role.TEXT), false);
   }
 
   private Color ink(PluginColumn column, Line line) {

@@ -38,6 +38,7 @@ final class PluginDetailPane {
   private final HistogramView wakeUp;
   private final HistogramView busy;
   private final NoticeLine counts;
+  private final Composite figures;
   private final NoticeLine since;
 
   PluginDetailPane(Composite parent, Theme theme, Verbs verbs, Runnable asked, Runnable resetPressed) {
@@ -59,12 +60,12 @@ final class PluginDetailPane {
     busy = new HistogramView(plots, theme, "Busy time");
     busy.control().setLayoutData(Boxes.fill());
     counts = new NoticeLine(root, theme, Face.SMALL);
-    Composite bar = Boxes.bar(root, theme, 2);
-    ((GridLayout) bar.getLayout()).marginWidth = 0;
-    ((GridLayout) bar.getLayout()).marginHeight = 0;
-    since = new NoticeLine(bar, theme, Face.SMALL);
+    figures = Boxes.bar(root, theme, 2);
+    ((GridLayout) figures.getLayout()).marginWidth = 0;
+    ((GridLayout) figures.getLayout()).marginHeight = 0;
+    since = new NoticeLine(figures, theme, Face.SMALL);
     QuietButton reset =
-        new QuietButton(bar, theme, resetPressed).text("Reset").hint("Has all figures count from now on");
+        new QuietButton(figures, theme, resetPressed).text("Reset").hint("Has all figures count from now on");
     reset.setLayoutData(Boxes.middle());
     plots.addListener(SWT.Resize, e -> arrange());
   }
@@ -91,6 +92,8 @@ final class PluginDetailPane {
     boolean changed = command.show(detail.plugin().map(PluginLine::name), detail.usable());
     changed |= tell(detail);
     changed |= problem(detail.problem());
+    boolean timed = detail.drives().isEmpty();
+    changed |= Boxes.seen(plots, timed) | Boxes.seen(counts.control(), timed) | Boxes.seen(figures, timed);
     wakeUp.show(Optional.of(detail.loop().wakeUp()), 0, detail.isStale());
     busy.show(Optional.of(detail.line().busy()), detail.line().period(), detail.isStale());
     counts.show(detail.countsHealth(), detail.counts());
@@ -102,7 +105,7 @@ final class PluginDetailPane {
 
   private boolean tell(PluginDetail detail) {
     PluginNotice said =
-        detail.plugin().isPresent() && detail.told().health() != Health.BAD ? detail.told() : PluginNotice.NOTHING;
+        detail.isAskable() && detail.told().health() != Health.BAD ? detail.told() : PluginNotice.NOTHING;
     told.show(said.health(), said.text());
     return Boxes.seen(told.control(), !said.text().isEmpty());
   }

@@ -18,6 +18,8 @@ import org.robotui.api.port.PluginRequest;
 import org.robotui.api.port.PluginRequest.Verb;
 import org.robotui.data.control.ControlPlugins;
 import org.robotui.data.control.ControlPlugins.State;
+import org.robotui.data.control.Drives.Phase;
+import org.robotui.data.control.Drives;
 import org.robotui.data.control.LoopTiming;
 import org.robotui.testkit.FakeAuthority;
 import org.robotui.testkit.FakeCaller;
@@ -32,8 +34,9 @@ class PluginsModelTest {
   private final FakeUicContext context = new FakeUicContext("plugins", Schema.EMPTY);
   private final FakeInput<ControlPlugins> plugins = new FakeInput<>();
   private final FakeInput<LoopTiming> timing = new FakeInput<>();
+  private final FakeInput<Drives> drives = new FakeInput<>();
   private final FakeCaller<PluginRequest, PluginReply> caller = new FakeCaller<>(Controls.VERBS);
-  private final PluginsModel model = new PluginsModel(context, plugins, timing, caller, () -> TIMEOUT);
+  private final PluginsModel model = new PluginsModel(context, plugins, timing, drives, caller, () -> TIMEOUT);
 
   @Test
   void pluginsStandBelowTheirThreads() {
@@ -44,6 +47,49 @@ class PluginsModelTest {
             "plugin cartesian", "plugin logging", "loop links/io", "plugin communication"),
         model.look().lines().stream().map(Line::key).toList());
     assertEquals("3 of 6 running \u00b7 1 failed \u00b7 10.0\u00a0Hz", model.look().note());
+  }
+
+  @Test
+  void drivesStandBelowTheThreadOfTheHardware() {
+    put();
+    drives.put(Controls.drives(Phase.FAULT, Phase.ENABLED, Phase.DISABLED));
+    model.tick(0);
+    Line line = model.look().lines().get(1);
+    assertEquals("drives", line.key());
+    assertEquals("fault", line.word());
+    assertEquals(Health.BAD, line.health());
+    assertEquals("shoulder: fault, 0x3210 (DC link over-voltage)", line.words());
+    assertTrue(model.look().note().contains("drives: fault"), model.look().note());
+    PluginDetail detail = PluginDetail.of(model.look(), "drives").orElseThrow();
+    assertEquals("1 in fault: shoulder \u00b7 1 disabled: wrist \u00b7 1 enabled", detail.status());
+    assertEquals("shoulder: fault, 0x3210 (DC link over-voltage)", detail.problem());
+  }
+
+  @Test
+  void whatWasAskedOfDrivesIsToldUntilTheyChange() {
+    put();
+    drives.put(Controls.drives(Phase.ENABLED, Phase.ENABLED, Phase.ENABLED));
+    model.tick(0);
+    model.verbs().ask(DrivesLine.ALL, Verb.DISABLE_DRIVES, "");
+    assertEquals(new PluginRequest("", Verb.DISABLE_DRIVES, ""), caller.made().getLast().request());
+    caller.made().getLast().end().complete(new CallOutcome.Replied<>(new PluginReply(false, "homing leads joints")));
+    model.tick(0);
+    assertEquals("Drives not disabled: homing leads joints",
+        PluginDetail.of(model.look(), "drives").orElseThrow().problem());
+    drives.put(Controls.drives(Phase.DISABLED, Phase.DISABLED, Phase.DISABLED));
+    model.tick(0);
+    model.tick(0);
+    PluginDetail after = PluginDetail.of(model.look(), "drives").orElseThrow();
+    assertEquals("3 disabled", after.status());
+    assertEquals("", after.problem());
+  }
+
+  @Test
+  void hardwareWithoutDrivesHasNoLineOfThem() {
+    put();
+    drives.put(new Drives(List.of()));
+    model.tick(0);
+    assertEquals(Optional.empty(), model.look().drives());
   }
 
   @Test
@@ -162,7 +208,7 @@ class PluginsModelTest {
 
   @Test
   void withoutAControlNothingIsAsked() {
-    PluginsModel alone = new PluginsModel(context, plugins, timing, new FakeCaller<>(), () -> TIMEOUT);
+    PluginsModel alone = new PluginsModel(context, plugins, timing, drives, new FakeCaller<>(), () -> TIMEOUT);
     alone.verbs().ask("sine", Verb.START, "");
     alone.tick(0);
     assertFalse(alone.look().switchable());

@@ -20,6 +20,8 @@ import org.robotui.api.port.PluginReply;
 import org.robotui.api.port.PluginRequest;
 import org.robotui.api.port.PluginRequest.Verb;
 import org.robotui.data.control.ControlPlugins;
+import org.robotui.data.control.Drives.Phase;
+import org.robotui.data.control.Drives;
 import org.robotui.data.control.LoopTiming;
 import org.robotui.testkit.Displays;
 import org.robotui.testkit.FakeCaller;
@@ -38,8 +40,10 @@ class PluginsSwtTest {
   private final FakeUicContext context = new FakeUicContext("plugins", Schema.EMPTY);
   private final FakeInput<ControlPlugins> plugins = new FakeInput<>();
   private final FakeInput<LoopTiming> timing = new FakeInput<>();
+  private final FakeInput<Drives> drives = new FakeInput<>();
   private final FakeCaller<PluginRequest, PluginReply> caller = new FakeCaller<>(Controls.VERBS);
-  private final PluginsModel model = new PluginsModel(context, plugins, timing, caller, () -> Duration.ofSeconds(1));
+  private final PluginsModel model =
+      new PluginsModel(context, plugins, timing, drives, caller, () -> Duration.ofSeconds(1));
   private Theme theme;
   private Shell shell;
   private PluginsSurface surface;
@@ -72,6 +76,19 @@ class PluginsSwtTest {
   void theFirstThreadIsShownAtOnce() {
     assertEquals("loop HAL/hal", surface.list().selected().getFirst().key());
     assertTrue(note.startsWith("3 of 6 running"), note);
+  }
+
+  @Test
+  void drivesAreAskedWhatTheirPhasesAllow() {
+    drives.put(Controls.drives(Phase.FAULT, Phase.ENABLED, Phase.ENABLED));
+    model.tick(0);
+    surface.select("drives");
+    DetailHead head = surface.detail().head();
+    assertTrue(head.recover().getVisible() && head.recover().getEnabled() && head.disable().getEnabled());
+    assertFalse(head.enable().getEnabled() || head.start().getVisible());
+    head.recover().press();
+    assertEquals(new PluginRequest("", Verb.RECOVER_DRIVES, ""), caller.made().getLast().request());
+    assertFalse(head.recover().getEnabled(), "one request at a time");
   }
 
   @Test
