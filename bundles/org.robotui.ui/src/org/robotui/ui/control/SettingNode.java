@@ -17,7 +17,7 @@ import org.robotui.api.config.ValueType;
  * is blank is left to the component. Display thread.
  */
 final class SettingNode {
-  private final Setting setting;
+  private Setting setting;
   private final BiFunction<Setting, Object, Optional<String>> check;
   private final boolean item;
   private final List<SettingNode> nodes = new ArrayList<>();
@@ -84,10 +84,12 @@ final class SettingNode {
 
   private boolean follow(Setting declared, ValueType.Dependent dependent) {
     ValueType next = dependent.in(members());
-    int at = nodes.stream().map(SettingNode::name).toList().indexOf(declared.name());
-    boolean other = dependent.types().containsValue(next) && !nodes.get(at).setting.type().equals(next);
+    SettingNode node = nodes.stream().filter(n -> n.name.equals(declared.name())).findFirst().orElseThrow();
+    boolean other = dependent.types().containsValue(next) && !node.setting.type().equals(next);
     if (other) {
-      nodes.set(at, of(typed(declared, next), nodes.get(at).value(), check));
+      Optional<Object> value = node.value();
+      node.setting = typed(declared, next);
+      node.take(SettingShape.of(next, value.orElse("")), value);
     }
     return other;
   }

@@ -73,7 +73,6 @@ class LayerFormSwtTest {
     field("needed").setText("path");
     events();
     assertEquals(Map.of("type", "path", "settings", Map.of("size", "3")), layer(), "what both kinds have is kept");
-    unfold("settings");
     assertEquals("3", field("0.1").getText());
     field("1.0").setText("4");
     assertEquals(Map.of("type", "path", "settings", Map.of("size", "3", "ends", "4")), layer());
