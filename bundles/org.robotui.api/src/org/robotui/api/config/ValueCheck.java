@@ -27,6 +27,7 @@ final class ValueCheck {
       case ValueType.MapOf m -> value instanceof Map<?, ?> map ? map(m, map) : Optional.empty();
       case ValueType.Section s -> value instanceof Map<?, ?> map ? section(s.schema(), map) : Optional.empty();
       case ValueType.AnyOf any -> any.alternatives().stream().flatMap(a -> fit(a, value).stream()).findFirst();
+      case ValueType.Dependent d -> fit(d.otherwise(), value);
       case ValueType.WithPlace p -> fit(p.value(), value).map(Placed::nowhere);
     };
   }
@@ -82,6 +83,7 @@ final class ValueCheck {
       case ValueType.Section s -> "a section";
       case ValueType.AnyOf a -> a.alternatives().stream().map(ValueCheck::expected)
           .collect(Collectors.joining(", or "));
+      case ValueType.Dependent d -> expected(d.otherwise());
       case ValueType.WithPlace p -> expected(p.value());
     };
   }

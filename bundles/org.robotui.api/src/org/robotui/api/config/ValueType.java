@@ -1,6 +1,7 @@
 package org.robotui.api.config;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 
 /** What a setting may hold. */
@@ -117,6 +118,38 @@ public sealed interface ValueType {
    * @param alternatives the shapes
    */
   record AnyOf(List<ValueType> alternatives) implements ValueType {}
+
+  /**
+   * What follows from another setting of the same group, such as the settings of a kind. Who does not see that setting
+   * takes what is otherwise allowed.
+   *
+   * @param setting the name of the other setting
+   * @param types what is allowed by the words of that setting
+   * @param otherwise what is allowed for other words, and where nothing is written
+   */
+  record Dependent(String setting, Map<String, ValueType> types, ValueType otherwise) implements ValueType {
+    /**
+     * Copies the map.
+     *
+     * @param setting the name of the other setting
+     * @param types by word
+     * @param otherwise for other words
+     */
+    public Dependent {
+      types = Map.copyOf(types);
+    }
+
+    /**
+     * What is allowed in a group.
+     *
+     * @param group values by the names of settings, the other one among them
+     * @return a type
+     */
+    public ValueType in(Map<?, ?> group) {
+      return Optional.ofNullable(group.get(setting)).flatMap(word -> Optional.ofNullable(types.get(word.toString())))
+          .orElse(otherwise);
+    }
+  }
 
   /**
    * A value that is held as a {@link Placed}: together with where it is written.

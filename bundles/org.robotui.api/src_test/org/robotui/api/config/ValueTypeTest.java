@@ -65,6 +65,17 @@ class ValueTypeTest {
   }
 
   @Test
+  void whatFollowsFromAnotherSettingIsKnownInItsGroup() {
+    ValueType.Dependent size = new ValueType.Dependent("unit", Map.of("pixels", COUNT), METRES);
+
+    assertEquals(COUNT, size.in(Map.of("unit", "pixels")));
+    assertEquals(METRES, size.in(Map.of("unit", "feet")));
+    assertEquals(METRES, size.in(Map.of()));
+    assertEquals(Optional.of(2.5), size.fit(2.5));
+    assertEquals(METRES.expected(), size.expected());
+  }
+
+  @Test
   void aPlaceIsKept() {
     assertEquals(Optional.of(Placed.nowhere(1.0)), new ValueType.WithPlace(METRES).fit(1));
     refuses(new ValueType.WithPlace(METRES), 11);

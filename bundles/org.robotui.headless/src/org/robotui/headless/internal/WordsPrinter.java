@@ -115,6 +115,7 @@ final class WordsPrinter {
       case ValueType.Section section -> Optional.of(section.schema());
       case ValueType.ListOf list -> group(list.element());
       case ValueType.MapOf map -> group(map.value());
+      case ValueType.Dependent dependent -> group(dependent.otherwise());
       case ValueType.WithPlace placed -> group(placed.value());
       case ValueType.AnyOf any -> any.alternatives().stream().map(WordsPrinter::group).flatMap(Optional::stream)
           .findFirst();

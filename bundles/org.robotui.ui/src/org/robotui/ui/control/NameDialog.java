@@ -22,7 +22,7 @@ public final class NameDialog {
   private final Shell shell;
   private Optional<String> answer = Optional.empty();
 
-  private NameDialog(Control over, String title, String before, Predicate<String> fits) {
+  private NameDialog(Control over, String title, String question, String before, Predicate<String> fits) {
     shell = new Shell(over.getShell(), SWT.DIALOG_TRIM | SWT.APPLICATION_MODAL);
     shell.setText(title);
     GridLayout layout = new GridLayout(1, false);
@@ -30,7 +30,7 @@ public final class NameDialog {
     layout.marginHeight = MARGIN;
     shell.setLayout(layout);
     Label asked = new Label(shell, SWT.WRAP);
-    asked.setText(title + ":");
+    asked.setText((question + ":").replace("&", "&&"));
     GridData lines = new GridData(SWT.FILL, SWT.CENTER, true, false);
     lines.widthHint = Math.clamp(asked.computeSize(SWT.DEFAULT, SWT.DEFAULT).x, WIDTH, WIDEST);
     asked.setLayoutData(lines);
@@ -74,7 +74,22 @@ public final class NameDialog {
    * @return the answer without blanks around it; none where it was cancelled
    */
   public static Optional<String> ask(Control over, String title, String before, Predicate<String> fits) {
-    NameDialog dialog = new NameDialog(over, title, before, fits);
+    return ask(over, title, title, before, fits);
+  }
+
+  /**
+   * Asks for what fits, with more words than a title has room for, and waits.
+   *
+   * @param over above which it opens
+   * @param title of the window
+   * @param question what is asked for, in any number of lines
+   * @param before what is written there at the beginning
+   * @param fits whether what is written is an answer
+   * @return the answer without blanks around it; none where it was cancelled
+   */
+  public static Optional<String> ask(Control over, String title, String question, String before,
+      Predicate<String> fits) {
+    NameDialog dialog = new NameDialog(over, title, question, before, fits);
     dialog.shell.open();
     while (!dialog.shell.isDisposed()) {
       if (!dialog.shell.getDisplay().readAndDispatch()) {

@@ -10,13 +10,14 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiFunction;
 import org.robotui.api.config.Setting;
+import org.robotui.api.config.ValueType;
 
 /**
  * What a user gives to one setting, with all that is within it: a line, a group with its members, or many items. What
  * is blank is left to the component. Display thread.
  */
 final class SettingNode {
-  private final Setting setting;
+  private Setting setting;
   private final BiFunction<Setting, Object, Optional<String>> check;
   private final boolean item;
   private final List<SettingNode> nodes = new ArrayList<>();
@@ -45,16 +46,52 @@ final class SettingNode {
     nodes.clear();
     line = new SettingValue(setting, value.filter(v -> next instanceof SettingShape.Line), check);
     switch (next) {
-      case SettingShape.Line l -> line = new SettingValue(typed(l), line.value(), check);
+      case SettingShape.Line l -> line = new SettingValue(typed(setting, l.type()), line.value(), check);
       case SettingShape.Group g -> g.schema().settings().forEach(
-          s -> nodes.add(of(s, Optional.ofNullable(map(before).get(s.name())), check)));
+          s -> nodes.add(of(within(s, map(before)), Optional.ofNullable(map(before).get(s.name())), check)));
       case SettingShape.Many m when m.named() -> map(before).forEach((n, v) -> put(n.toString(), Optional.of(v)));
       case SettingShape.Many m -> list(before).forEach(v -> put("", Optional.of(v)));
     }
   }
 
-  private Setting typed(SettingShape.Line own) {
-    return new Setting(setting.name(), own.type(), setting.fallback(), setting.required(), setting.help());
+  /** A setting whose type follows from others, with the type that it has among them. */
+  private static Setting within(Setting setting, Map<?, ?> group) {
+    return setting.type() instanceof ValueType.Dependent dependent ? typed(setting, dependent.in(group)) : setting;
+  }
+
+  private static Setting typed(Setting setting, ValueType type) {
+    return new Setting(setting.name(), type, setting.fallback(), setting.required(), setting.help());
+  }
+
+  /**
+   * Gives another form to what follows from a setting that was changed. Words that nothing is known of change nothing,
+   * as such are there while one is typed.
+   *
+   * @return whether anything has another form now
+   */
+  boolean follow() {
+    boolean followed = false;
+    if (shape instanceof SettingShape.Group group) {
+      for (Setting declared : group.schema().settings()) {
+        followed |= declared.type() instanceof ValueType.Dependent dependent && follow(declared, dependent);
+      }
+    }
+    for (SettingNode node : nodes) {
+      followed |= node.follow();
+    }
+    return followed;
+  }
+
+  private boolean follow(Setting declared, ValueType.Dependent dependent) {
+    ValueType next = dependent.in(members());
+    SettingNode node = nodes.stream().filter(n -> n.name.equals(declared.name())).findFirst().orElseThrow();
+    boolean other = dependent.types().containsValue(next) && !node.setting.type().equals(next);
+    if (other) {
+      Optional<Object> value = node.value();
+      node.setting = typed(declared, next);
+      node.take(SettingShape.of(next, value.orElse("")), value);
+    }
+    return other;
   }
 
   private static Map<?, ?> map(Object value) {

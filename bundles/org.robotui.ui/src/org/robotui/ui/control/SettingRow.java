@@ -50,6 +50,9 @@ final class SettingRow {
 
   void focus() {
     input.setFocus();
+    if (input.getDisplay().getFocusControl() instanceof Text text) {
+      text.setSelection(text.getCharCount()); // typing goes on where it was
+    }
   }
 
   private Control flag() {

@@ -97,6 +97,7 @@ sealed interface SettingShape {
   static Stream<ValueType> flat(ValueType type) {
     return switch (type) {
       case ValueType.AnyOf any -> any.alternatives().stream().flatMap(SettingShape::flat);
+      case ValueType.Dependent dependent -> flat(dependent.otherwise());
       case ValueType.WithPlace placed -> flat(placed.value());
       default -> Stream.of(type);
     };

@@ -96,10 +96,22 @@ final class SettingsBody {
     label.setToolTipText(node.setting().help().replace("&", "&&"));
     boolean menu = hasMenu(node, list);
     Composite line = cells.editor(menu ? 2 : 1);
-    rows.put(node, new SettingRow(cells.part(line), theme, node, changed));
+    rows.put(node, new SettingRow(cells.part(line), theme, node, () -> typed(node)));
     if (menu) {
       more(line, node, name, list);
     }
+  }
+
+  /** Others may have another form now: then the field in which it was typed is made anew as well, once it is done. */
+  private void typed(SettingNode node) {
+    if (nodes.stream().filter(SettingNode::follow).count() > 0) {
+      root.getDisplay().asyncExec(() -> {
+        if (!root.isDisposed()) {
+          rebuild(node);
+        }
+      });
+    }
+    changed.run();
   }
 
   private boolean head(SettingNode node, String name, int depth, Optional<SettingNode> list) {

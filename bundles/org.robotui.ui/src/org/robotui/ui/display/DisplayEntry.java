@@ -2,6 +2,7 @@ package org.robotui.ui.display;
 
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Collectors;
 import org.robotui.api.config.Schema;
 import org.robotui.api.config.Setting;
 import org.robotui.api.config.TextRule;
@@ -47,13 +48,14 @@ public final class DisplayEntry {
    *
    * @param noun what one is called, for example {@code display}
    * @param example of a kind, for example {@code laserscan}
-   * @param kinds the words of those that there are
+   * @param kinds those that there are
    * @return a list of groups
    */
-  public static ValueType list(String noun, String example, List<String> kinds) {
+  public static ValueType list(String noun, String example, List<DisplayKind> kinds) {
     TextRule kind = TextRule.matching("the kind of a " + noun + ", such as " + example, "[a-z][a-z0-9_]{0,99}");
+    List<String> words = kinds.stream().map(DisplayKind::id).sorted().toList();
     ValueType written = kinds.isEmpty() ? new ValueType.Text(kind)
-        : new ValueType.AnyOf(List.of(new ValueType.Text(kind), new ValueType.Choice(kinds)));
+        : new ValueType.AnyOf(List.of(new ValueType.Text(kind), new ValueType.Choice(words)));
     return new ValueType.ListOf(new ValueType.Section(Schema.of(
         Setting.required(TYPE, written, "The kind of the " + noun + ", for example " + example + "."),
         Setting.optional(ID, new ValueType.Text(),
@@ -62,6 +64,14 @@ public final class DisplayEntry {
         Setting.of(SOURCE, SOURCES, List.of(),
             "Where its data come from, for example base/scan, or several; without, the only source that fits."),
         Setting.of(SHOWN, new ValueType.Flag(), true, "Whether it is shown."),
-        Setting.of(SETTINGS, new ValueType.MapOf(ANY), Map.of(), "The settings of its kind."))));
+        Setting.of(SETTINGS, settings(kinds), Map.of(), "The settings of its kind."))));
+  }
+
+  private static ValueType settings(List<DisplayKind> kinds) {
+    ValueType any = new ValueType.MapOf(ANY);
+    return kinds.isEmpty() ? any
+        : new ValueType.Dependent(TYPE, kinds.stream()
+            .collect(Collectors.toMap(DisplayKind::id, kind -> new ValueType.Section(kind.schema()), (a, b) -> a)),
+            any);
   }
 }

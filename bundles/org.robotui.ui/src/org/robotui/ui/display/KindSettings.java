@@ -71,6 +71,7 @@ public record KindSettings(Settings settings, List<String> problems) {
       case ValueType.Section s -> check(s.schema(), Map.of()).settings();
       case ValueType.Text t -> "";
       case ValueType.AnyOf any -> "";
+      case ValueType.Dependent d -> least(d.otherwise());
       case ValueType.WithPlace p -> Placed.nowhere(least(p.value()));
     };
   }

@@ -1,7 +1,9 @@
 package org.robotui.ui.control;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -92,6 +94,26 @@ class SettingNodeTest {
     ValueType texts = new ValueType.AnyOf(List.of(TEXT, new ValueType.ListOf(TEXT)));
     assertEquals(1, SettingShape.offered(texts).size(), "several texts are typed in one line");
     assertInstanceOf(SettingShape.Many.class, node(texts, List.of("scale(2, 1)")).shape(), "but for those with commas");
+  }
+
+  @Test
+  void whatFollowsFromAnotherSettingFollowsItOnceItIsKnown() {
+    ValueType size = new ValueType.Section(Schema.of(Setting.optional("size", NUMBER, "how long")));
+    ValueType any = new ValueType.MapOf(TEXT);
+    SettingNode layer = node(new ValueType.Section(Schema.of(Setting.optional("kind", TEXT, "which"),
+        Setting.optional("with", new ValueType.Dependent("kind", Map.of("dots", size), any), "what it has"))),
+        Map.of("kind", "other", "with", Map.of("size", "1", "more", "2")));
+    SettingNode kind = layer.nodes().getFirst();
+    assertInstanceOf(SettingShape.Many.class, layer.nodes().get(1).shape());
+    kind.line().type("dot");
+    assertFalse(layer.follow());
+    kind.line().type("dots");
+    assertTrue(layer.follow());
+    assertFalse(layer.follow(), "it has");
+    assertEquals(Map.of("kind", "dots", "with", Map.of("size", "1")), layer.value().orElseThrow());
+    kind.line().type("");
+    assertFalse(layer.follow());
+    assertInstanceOf(SettingShape.Group.class, layer.nodes().get(1).shape());
   }
 
   @Test

@@ -42,11 +42,11 @@ record ValueEdit(List<String> path) {
       if (former.isPresent()) {
         changed = ItemEdit.renamed(changed, path, former.get(), name);
         names.set(names.indexOf(former.get()), name);
-        changed = within(name).set(changed, old.get(former.get()), now.get(name), YamlWords.member(type, name));
+        changed = within(name).set(changed, old.get(former.get()), now.get(name), YamlWords.member(type, name, now));
       } else if (names.contains(name)) {
-        changed = within(name).set(changed, old.get(name), now.get(name), YamlWords.member(type, name));
+        changed = within(name).set(changed, old.get(name), now.get(name), YamlWords.member(type, name, now));
       } else {
-        changed = PathEdit.set(changed, within(name).path, now.get(name), YamlWords.member(type, name));
+        changed = PathEdit.set(changed, within(name).path, now.get(name), YamlWords.member(type, name, now));
         names.add(name);
       }
     }

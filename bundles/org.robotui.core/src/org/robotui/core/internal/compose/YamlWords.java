@@ -29,7 +29,7 @@ final class YamlWords {
     return switch (value) {
       case List<?> list -> list.stream().map(v -> value(v, element(type))).collect(Collectors.joining(", ", "[", "]"));
       case Map<?, ?> map -> map.entrySet().stream()
-          .map(e -> text(e.getKey().toString()) + ": " + value(e.getValue(), member(type, e.getKey().toString())))
+          .map(e -> text(e.getKey().toString()) + ": " + value(e.getValue(), member(type, e.getKey().toString(), map)))
           .collect(Collectors.joining(", ", "{", "}"));
       case String text -> takesText(type) || !NUMBER.matcher(text).matches() ? text(text) : text;
       default -> value.toString();
@@ -57,15 +57,20 @@ final class YamlWords {
     };
   }
 
-  /** What an entry of a section holds. */
-  static ValueType member(ValueType type, String name) {
+  /** What an entry of a section holds; {@code group} is the section. */
+  static ValueType member(ValueType type, String name, Map<?, ?> group) {
+    ValueType declared = declared(type, name);
+    return declared instanceof ValueType.Dependent dependent ? dependent.in(group) : declared;
+  }
+
+  private static ValueType declared(ValueType type, String name) {
     return switch (type) {
       case ValueType.MapOf map -> map.value();
       case ValueType.Section section -> section.schema().find(name).map(s -> s.type()).orElse(type);
-      case ValueType.WithPlace placed -> member(placed.value(), name);
+      case ValueType.WithPlace placed -> declared(placed.value(), name);
       case ValueType.AnyOf any -> any.alternatives().stream()
           .filter(t -> t instanceof ValueType.MapOf || t instanceof ValueType.Section).findFirst()
-          .map(t -> member(t, name)).orElse(type);
+          .map(t -> declared(t, name)).orElse(type);
       default -> type;
     };
   }

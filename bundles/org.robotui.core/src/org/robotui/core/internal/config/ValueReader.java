@@ -60,6 +60,7 @@ final class ValueReader {
       case ValueType.MapOf m -> map(value, m, name);
       case ValueType.Section s -> section(value, s, name);
       case ValueType.AnyOf a -> anyOf(value, a, name);
+      case ValueType.Dependent d -> read(value, d.otherwise(), name);
       case ValueType.WithPlace p -> read(value, p.value(), name).map(v -> value.place().at(v));
     };
   }
@@ -160,6 +161,7 @@ final class ValueReader {
       case ValueType.MapOf m -> value instanceof YamlValue.Section;
       case ValueType.Section s -> value instanceof YamlValue.Section;
       case ValueType.AnyOf a -> a.alternatives().stream().anyMatch(t -> hasShape(t, value));
+      case ValueType.Dependent d -> hasShape(d.otherwise(), value);
       case ValueType.WithPlace p -> hasShape(p.value(), value);
       case ValueType.Choice c -> value instanceof YamlValue.Scalar;
       case ValueType.Text t -> value instanceof YamlValue.Scalar scalar && !scalar.isEmpty();

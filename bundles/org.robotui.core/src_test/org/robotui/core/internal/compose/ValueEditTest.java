@@ -52,6 +52,19 @@ class ValueEditTest {
         new ValueType.ListOf(GROUP));
   }
 
+  @Test
+  void whatFollowsFromAnotherSettingIsWrittenAsThatSays() throws PathEdit.Refusal {
+    ValueType number = new ValueType.Section(Schema.of(Setting.optional("at", new ValueType.Num(0, 9, "s"), "when")));
+    ValueType layer = new ValueType.Section(Schema.of(Setting.required("kind", TEXT, "which"), Setting.optional("with",
+        new ValueType.Dependent("kind", Map.of("dots", number), new ValueType.MapOf(TEXT)), "settings")));
+    Map<String, Object> before = map("kind", "dots");
+    assertEquals("it: {kind: dots, with: {at: 5}}\n", new ValueEdit(List.of("it")).set("it: {kind: dots}\n", before,
+        map("kind", "dots", "with", map("at", "5")), layer));
+    assertEquals("it: {kind: own, with: {at: \"5\"}}\n", new ValueEdit(List.of("it")).set("it: {kind: dots}\n", before,
+        map("kind", "own", "with", map("at", "5")), layer));
+    assertEquals("{kind: dots, with: {at: 5}}", YamlWords.value(map("kind", "dots", "with", map("at", "5")), layer));
+  }
+
   private static String views(Map<String, Object> now) throws PathEdit.Refusal {
     return new ValueEdit(List.of("views")).set(NAMES, map("a", map("x", "1"), "b", map("x", "2")), now,
         new ValueType.MapOf(new ValueType.MapOf(new ValueType.Num(0, 9, ""))));

@@ -10,6 +10,7 @@ import org.robotui.api.config.TextRule;
 import org.robotui.api.config.ValueType;
 import org.robotui.entity.gps.GeoPoint;
 import org.robotui.ui.display.DisplayEntry;
+import org.robotui.ui.display.DisplayKind;
 import org.robotui.ui.display.DisplaySpec;
 import org.robotui.ui.layer.LayerStack;
 import org.robotui.ui.scene.KeptViewport;
@@ -52,7 +53,7 @@ public record GpsOptions(
   }
 
   /** The same with kinds of layers to choose from. */
-  static Schema schema(List<String> kinds) {
+  static Schema schema(List<DisplayKind> kinds) {
     return Schema.of(
         Setting.of(FOLLOW, new ValueType.Flag(), false, "Keep a receiver in the middle."),
         Setting.of(FOLLOWED, new ValueType.Text(TextRule.SOURCE.orEmpty("\"\"")), "",

@@ -66,7 +66,7 @@ public final class GpsType implements UicType {
 
   @Override
   public Schema choices() {
-    return GpsOptions.schema(kinds().stream().map(LayerType::id).sorted().toList());
+    return GpsOptions.schema(kinds().stream().map(LayerStack::kind).toList());
   }
 
   @Override

@@ -13,6 +13,7 @@ import org.robotui.api.config.Settings;
 import org.robotui.api.config.TextRule;
 import org.robotui.api.config.ValueType;
 import org.robotui.ui.display.DisplayEntry;
+import org.robotui.ui.display.DisplayKind;
 import org.robotui.ui.display.DisplaySpec;
 import org.robotui.ui.layer.LayerStack;
 import org.robotui.ui.scene.KeptViewport;
@@ -75,7 +76,7 @@ public record MapOptions(
   }
 
   /** The same with kinds of layers to choose from. */
-  static Schema schema(List<String> kinds) {
+  static Schema schema(List<DisplayKind> kinds) {
     List<Setting> settings = new ArrayList<>();
     settings.add(Setting.of(FIXED_FRAME, new ValueType.Text(TextRule.FRAME), AUTO,
         "The fixed frame; 'auto' takes map, else odom, else the first root."));

@@ -54,7 +54,7 @@ public final class MapType implements UicType {
 
   @Override
   public Schema choices() {
-    return MapOptions.schema(kinds().stream().map(LayerType::id).sorted().toList());
+    return MapOptions.schema(kinds().stream().map(LayerStack::kind).toList());
   }
 
   @Override

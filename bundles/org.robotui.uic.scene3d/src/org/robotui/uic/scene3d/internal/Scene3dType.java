@@ -59,7 +59,7 @@ public final class Scene3dType implements UicType {
 
   @Override
   public Schema choices() {
-    return SceneOptions.schema(kinds().stream().map(DisplayType::id).sorted().toList());
+    return SceneOptions.schema(Kinds.of(kinds()));
   }
 
   @Override

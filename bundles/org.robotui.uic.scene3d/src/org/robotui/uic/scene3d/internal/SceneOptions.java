@@ -7,6 +7,7 @@ import org.robotui.api.config.Setting;
 import org.robotui.api.config.TextRule;
 import org.robotui.api.config.ValueType;
 import org.robotui.ui.display.DisplayEntry;
+import org.robotui.ui.display.DisplayKind;
 import org.robotui.uic.scene3d.internal.camera.CameraKind;
 
 /** The settings of the scene. */
@@ -98,7 +99,7 @@ public final class SceneOptions {
   private SceneOptions() {}
 
   /** The same with kinds of displays to choose from. */
-  static Schema schema(List<String> kinds) {
+  static Schema schema(List<DisplayKind> kinds) {
     Setting listed = SCHEMA.find(DISPLAYS).orElseThrow();
     Setting offering = Setting.of(DISPLAYS, DisplayEntry.list("display", "laserscan", kinds), List.of(), listed.help());
     return new Schema(SCHEMA.settings().stream().map(s -> s == listed ? offering : s).toList());

@@ -5,6 +5,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.function.Predicate;
+import java.util.function.Supplier;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.custom.SashForm;
 import org.eclipse.swt.widgets.Composite;
@@ -52,9 +53,9 @@ public final class WrittenPane extends Composite {
    * @param theme colours and fonts
    * @param host knows the files
    * @param background reads and writes them
-   * @param ruic whose settings are shown first, empty for the first
+   * @param ruic whose settings are shown first, empty for the first; asked once the files have been read
    */
-  public WrittenPane(Composite parent, Theme theme, Host host, Executor background, String ruic) {
+  public WrittenPane(Composite parent, Theme theme, Host host, Executor background, Supplier<String> ruic) {
     super(parent, SWT.NONE);
     this.host = host;
     this.background = background;
@@ -81,7 +82,7 @@ public final class WrittenPane extends Composite {
     back = new QuietButton(bar, theme, this::asFile).text("As the File Says")
         .hint("Reads the file again and forgets what was typed");
     edited();
-    read(g -> g.ruic().equals(ruic), "");
+    read(g -> !g.ruic().isEmpty() && g.ruic().equals(ruic.get()), "");
   }
 
   @Override

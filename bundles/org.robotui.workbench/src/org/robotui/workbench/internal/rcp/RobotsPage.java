@@ -28,6 +28,7 @@ public final class RobotsPage extends PreferencePage implements IWorkbenchPrefer
     noDefaultAndApplyButton();
   }
 
+  /** The platform calls it when the page has been made. */
   @Override
   public void applyData(Object data) {
     ruic = data.toString();
@@ -37,7 +38,7 @@ public final class RobotsPage extends PreferencePage implements IWorkbenchPrefer
   protected Control createContents(Composite parent) {
     Composite place = Trim.place(parent);
     new Rebuilt<>(place, session, (within, theme) -> new WrittenPane(within, theme, session.host(),
-        session.configurations().background(), ruic), pane -> {});
+        session.configurations().background(), () -> ruic), pane -> {});
     GridData data = new GridData(GridData.FILL_BOTH);
     data.heightHint = HEIGHT;
     data.widthHint = WIDTH;

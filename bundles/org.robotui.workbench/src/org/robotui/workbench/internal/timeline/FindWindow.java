@@ -76,7 +76,7 @@ final class FindWindow {
   private RowTable<FoundRow> table() {
     List<Column<FoundRow>> columns = List.of(
         Column.<FoundRow>figures("Time", row -> TimeWords.seconds(row.range().start() - bar.all().start())).width(110),
-        Column.<FoundRow>figures("For", FoundRow::length).width(130),
+        Column.<FoundRow>figures("For", FoundRow::length).width(170),
         Column.<FoundRow>words("What", FoundRow::words).weight(1),
         Column.<FoundRow>words("Recording", FoundRow::file).role(Role.DIM).width(170));
     RowTable<FoundRow> made = new RowTable<>(shell, theme, columns, FoundRow::number);

@@ -52,7 +52,7 @@ final class LaneList {
     this.changed = changed;
     this.analysis = analysis;
     this.compare = compare;
-    paint = new LanePaint(theme, bar, live);
+    paint = new LanePaint(theme, bar, live, analysis);
     canvas = new PaintedCanvas(parent, SWT.NONE, theme, Role.PANEL, this::paint);
     // Before the hands: over more rows than are seen the wheel moves the rows.
     canvas.addListener(SWT.MouseVerticalWheel, this::wheel);
@@ -178,7 +178,7 @@ final class LaneList {
           () -> video(track, topic.of().lane().topic())).line();
     }
     menu.push("Offset of " + track.file().getFileName() + " (" + TimeWords.offset(track.offset()) + " s)\u2026",
-        () -> askOffset(track, "Seconds added to the times of " + track.file().getFileName(), track.offset()));
+        () -> askOffset(track, "", track.offset()));
     live.tracks().stream().filter(other -> !other.id().equals(track.id())).limit(MOST_OTHERS)
         .forEach(other -> menu.push("Estimate Offset from " + other.id().robot() + ", "
             + other.file().getFileName() + "\u2026", !analysis.isBusy(track.id()), () -> estimate(other, track)));
@@ -194,35 +194,43 @@ final class LaneList {
 
   /** What was found is a proposal: the user sees what it was found by, and takes it, another one or none. */
   private void estimate(Track reference, Track moved) {
-    String times = "seconds added to the times of " + moved.file().getFileName();
     analysis.offset(reference.id(), moved.id(), answer -> {
       if (!canvas.isDisposed()) {
+        changed.run();
         switch (answer) {
-          case Answer.Given<OffsetEstimate> given -> askOffset(moved, words(given.value()) + "; " + times,
+          case Answer.Given<OffsetEstimate> given -> askOffset(moved, words(given.value()),
               rounded(given.value().offset()));
-          case Answer.Failed<OffsetEstimate> failed -> askOffset(moved, failed.why() + "; " + times, moved.offset());
+          case Answer.Failed<OffsetEstimate> failed -> askOffset(moved, failed.why() + ".", moved.offset());
         }
       }
     });
+    changed.run();
   }
 
   private static String words(OffsetEstimate found) {
-    return found.basis() + ", deviation " + TimeWords.offset(rounded(found.deviation())) + "\u00a0s";
+    return "Basis: " + found.basis() + "; deviation " + TimeWords.offset(rounded(found.deviation())) + "\u00a0s.";
   }
 
   private void report(Track track) {
     String name = track.file().getFileName().toString();
     SaveDialog.ask(canvas, "Write a Report", name.replaceFirst("\\.[^.]*$", "") + ".html", "*.html")
-        .ifPresent(file -> analysis.report(track.id(), file, answer -> told("Report of " + name, answer)));
+        .ifPresent(file -> {
+          analysis.report(track.id(), file, answer -> told("Report of " + name, answer));
+          changed.run();
+        });
   }
 
   private void video(Track track, String topic) {
     SaveDialog.ask(canvas, "Write a Video", topic.replaceFirst("^/", "").replace('/', '_') + ".mp4", "*.mp4", "*.webm")
-        .ifPresent(file -> analysis.video(track.id(), topic, file, answer -> told("Video of " + topic, answer)));
+        .ifPresent(file -> {
+          analysis.video(track.id(), topic, file, answer -> told("Video of " + topic, answer));
+          changed.run();
+        });
   }
 
   private void told(String title, Answer<Path> answer) {
     if (!canvas.isDisposed()) {
+      changed.run();
       String words = switch (answer) {
         case Answer.Given<Path> given -> "It was written to " + given.value();
         case Answer.Failed<Path> failed -> "There is none: " + failed.why();
@@ -236,8 +244,10 @@ final class LaneList {
     return Math.round(nanos * 1e-6) * 1_000_000;
   }
 
-  private void askOffset(Track track, String title, long proposed) {
-    NameDialog.ask(canvas, title, TimeWords.offset(proposed), words -> TimeWords.nanos(words).isPresent())
+  private void askOffset(Track track, String found, long proposed) {
+    String asked = (found + "\nSeconds added to the times of " + track.file().getFileName()).strip();
+    NameDialog.ask(canvas, "Offset of " + track.file().getFileName(), asked, TimeWords.offset(proposed),
+        words -> TimeWords.nanos(words).isPresent())
         .flatMap(TimeWords::nanos)
         .ifPresent(nanos -> live.timeline().ifPresent(t -> t.shift(track.id(), nanos)));
   }

@@ -16,7 +16,7 @@ import org.robotui.workbench.internal.timeline.LaneDensity.TrackLane;
 import org.robotui.workbench.internal.timeline.LaneRows.Row;
 
 /** Paints a row of the recordings: its name at the left, what lies where at the right. */
-record LanePaint(Theme theme, BarState bar, LiveTimeline live) {
+record LanePaint(Theme theme, BarState bar, LiveTimeline live, TrackAnalysis analysis) {
   private static final int INDENT = 26;
   private static final int SMALL_ICON = 12;
   private static final int GAP = 8;
@@ -45,7 +45,9 @@ record LanePaint(Theme theme, BarState bar, LiveTimeline live) {
       right = write(gc, Face.SMALL_FIGURES, Role.ACCENT, offset(track), right, y) - GAP;
     }
     int left = text(gc, Face.BODY_STRONG, Role.TEXT, track.id().robot(), INDENT - 4, y, right);
-    text(gc, Face.SMALL, Role.DIM, track.file().getFileName().toString(), left + GAP, y, right);
+    Optional<String> doing = analysis.doing(track.id()).map(words -> words + "\u2026");
+    text(gc, Face.SMALL, doing.isPresent() ? Role.ACCENT : Role.DIM,
+        doing.orElse(track.file().getFileName().toString()), left + GAP, y, right);
     span(gc, track, y, scale);
   }
 

@@ -2,9 +2,9 @@ package org.robotui.workbench.internal.timeline;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.HashSet;
+import java.util.HashMap;
+import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.robotui.api.replay.OffsetEstimate;
@@ -22,7 +22,7 @@ public final class TrackAnalysis {
   private final Supplier<Optional<OffsetEstimation>> offsets;
   private final Supplier<Optional<RecordingReports>> reports;
   private final Supplier<Optional<RecordingVideos>> videos;
-  private final Set<TrackId> busy = new HashSet<>();
+  private final Map<TrackId, String> busy = new HashMap<>();
 
   /**
    * With nothing to do yet.
@@ -41,23 +41,28 @@ public final class TrackAnalysis {
   }
 
   boolean isBusy(TrackId track) {
-    return busy.contains(track);
+    return busy.containsKey(track);
+  }
+
+  /** What is being done with a recording, in a few words; none where nothing is. */
+  Optional<String> doing(TrackId track) {
+    return Optional.ofNullable(busy.get(track));
   }
 
   /** Estimates by how much a recording is to be moved. */
   void offset(TrackId reference, TrackId moved, Consumer<Answer<OffsetEstimate>> told) {
-    start(moved, () -> there(offsets).estimate(reference, moved)
+    start(moved, "estimating its offset", () -> there(offsets).estimate(reference, moved)
         .orElseThrow(() -> new IllegalArgumentException(OffsetEstimate.NONE)), told);
   }
 
   /** Writes a report to a file. */
   void report(TrackId track, Path file, Consumer<Answer<Path>> told) {
-    start(track, () -> RecordingCalls.write(file, there(reports).page(track)), told);
+    start(track, "writing a report", () -> RecordingCalls.write(file, there(reports).page(track)), told);
   }
 
   /** Writes a video of a camera to a file that the user chose, in place of what is there. */
   void video(TrackId track, String topic, Path file, Consumer<Answer<Path>> told) {
-    start(track, () -> {
+    start(track, "writing a video", () -> {
       Files.deleteIfExists(file);
       there(videos).write(track, topic, file);
       return file;
@@ -68,8 +73,8 @@ public final class TrackAnalysis {
     return service.get().orElseThrow(() -> new IllegalArgumentException(NOT_THERE));
   }
 
-  private <V> void start(TrackId track, RecordingCalls.Call<V> call, Consumer<Answer<V>> told) {
-    if (busy.add(track)) {
+  private <V> void start(TrackId track, String words, RecordingCalls.Call<V> call, Consumer<Answer<V>> told) {
+    if (busy.putIfAbsent(track, words) == null) {
       calls.start(call, answer -> {
         busy.remove(track);
         told.accept(answer);

@@ -39,9 +39,11 @@ class TrackAnalysisTest {
     analysis.offset(ONE, OTHER, answers::add);
     analysis.offset(ONE, OTHER, answers::add);
     assertTrue(analysis.isBusy(OTHER) && !analysis.isBusy(ONE));
+    assertEquals(Optional.of("estimating its offset"), analysis.doing(OTHER));
     assertEquals(1, work.size());
     work.poll().run();
     assertFalse(analysis.isBusy(OTHER));
+    assertEquals(Optional.empty(), analysis.doing(OTHER));
     assertEquals(List.of(new Answer.Given<>(FOUND)), answers);
   }
 

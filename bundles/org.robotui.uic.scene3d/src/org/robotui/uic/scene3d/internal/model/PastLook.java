@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
+import java.util.stream.IntStream;
 import org.robotui.api.UicContext;
 import org.robotui.api.port.Input;
 import org.robotui.api.port.SourceId;
@@ -28,8 +29,8 @@ import org.robotui.ui.scene.PastWays;
 import org.robotui.uic.scene3d.internal.ScenePorts;
 
 /**
- * Where recorded robots were at the time at which the user points: an arrow, on the way that the robot went. The frames
- * of odometry and estimates are where they are now, as for trails. Worker thread.
+ * Where recorded robots were at the time at which the user points: an arrow in a ring, on the way that the robot went.
+ * The frames of odometry and estimates are where they are now, as for trails. Worker thread.
  */
 final class PastLook {
   /** What the parts of this look are kept by. */
@@ -37,8 +38,11 @@ final class PastLook {
 
   private static final List<String> TYPES = List.of("Odometry", "PoseEstimate");
   private static final double LENGTH = 0.5;
-  private static final double THIN = 0.4;
+  private static final double THIN = 0.08;
+  private static final double RING = 0.3;
+  private static final int CORNERS = 48;
   private static final float WIDTH = 2;
+  private static final float BROAD = 3;
   private static final float PALE = 0.7f;
   private static final RigidTransform LIFT = new RigidTransform(new Vector3(0, 0, 0.03), Quaternion.IDENTITY);
 
@@ -46,6 +50,7 @@ final class PastLook {
   private final PastWays ways;
   private final Shape arrow = new Placings(1)
       .add(RigidTransform.IDENTITY, new Vector3(LENGTH, THIN * LENGTH, THIN * LENGTH)).of(Meshes.arrow());
+  private final Shape ring = LineSet.of(LineSet.Kind.STRIP, BROAD, circle());
   private final Map<String, Line> lines = new HashMap<>();
 
   /** A way, and what was made of it. */
@@ -64,8 +69,10 @@ final class PastLook {
       RigidTransform ground = place.times(LIFT);
       parts.add(new Part("way " + robot, line(robot, spot.way()), ground, Material.flat(color.withAlpha(PALE)),
           Describer.of("Way of " + robot + " in the recording")));
-      parts.add(new Part("then " + robot, arrow, ground.times(spot.pose()), Material.lit(color).onTop(),
-          Describer.of(robot + " at the time of the pointer")));
+      RigidTransform then = ground.times(spot.pose());
+      Describer words = Describer.of(robot + " at the time of the pointer");
+      parts.add(new Part("then " + robot, arrow, then, Material.lit(color).onTop(), words));
+      parts.add(new Part("around " + robot, ring, then, Material.flat(color).onTop(), words));
     }));
     return parts;
   }
@@ -77,6 +84,11 @@ final class PastLook {
 
   private LineSet line(String robot, List<Vector3> way) {
     return lines.compute(robot, (name, before) -> before != null && before.way() == way ? before : made(way)).shape();
+  }
+
+  private static List<Vector3> circle() {
+    return IntStream.rangeClosed(0, CORNERS).mapToDouble(i -> 2 * Math.PI * i / CORNERS)
+        .mapToObj(angle -> new Vector3(RING * Math.cos(angle), RING * Math.sin(angle), 0)).toList();
   }
 
   private static Line made(List<Vector3> way) {
