@@ -139,6 +139,7 @@ class ProgramAccessTest {
     publish(1);
     assertEquals(0, told.get(), "nothing is taken yet");
     access.take(SCAN, value -> {});
+    told.set(0);
     publish(2);
     publish(3);
     assertEquals(2, told.get(), "by the thread that publishes");
