@@ -317,7 +317,8 @@ public final class NewBundle {
         org.eclipse.jdt.core.compiler.source=21
         """);
     replace(bundle.resolve("Unit tests of " + names.bundle() + ".launch"),
-        "--enable-native-access=ALL-UNNAMED [^\"]*project_loc:/org\\.robotui[^\"]*", "--enable-native-access=ALL-UNNAMED");
+        "--enable-native-access=ALL-UNNAMED [^\"]*project_loc:/org\\.robotui[^\"]*",
+        "--enable-native-access=ALL-UNNAMED");
   }
 
   private static void sayEncoding(Path project) throws IOException {

@@ -75,7 +75,8 @@ public final class BenchRecording {
 
   private static String copy(Path from, Path to) throws IOException {
     try (RecordingReader recording = Recordings.open(from, ScanProgress.NONE);
-        RecordingWriter writer = RecordingWriter.create(to, WriterOptions.defaults().withCompression(ChunkCompression.NONE))) {
+        RecordingWriter writer =
+            RecordingWriter.create(to, WriterOptions.defaults().withCompression(ChunkCompression.NONE))) {
       RecordingCursor cursor = recording.cursor(RecordingInterval.ALWAYS, Set.of());
       for (Optional<RecordedMessage> next = cursor.next(); next.isPresent(); next = cursor.next()) {
         RecordedMessage message = next.get();

@@ -37,8 +37,8 @@ import org.osgi.framework.BundleContext;
  * Does without a window what a user of Eclipse does with a folder of projects: sets their target platform, imports and
  * builds them, and looks at the problems and at the variables of their launch configurations.
  *
- * <p>Arguments: the folder, and one with the bundles of JUnit. Prints a line for each problem and one for what was done;
- * ends with 1 where there are problems.
+ * <p>Arguments: the folder, and one with the bundles of JUnit. Prints a line for each problem and one for what was
+ * done; ends with 1 where there are problems.
  */
 public final class ProjectBuild implements IApplication {
   private static final IPath JUNIT = IPath.fromOSString("org.eclipse.jdt.junit.JUNIT_CONTAINER/5");
@@ -62,8 +62,9 @@ public final class ProjectBuild implements IApplication {
       lookAtLaunch(launch);
     }
     problems.forEach(System.out::println);
-    System.out.println("projects: " + projects.size() + ", bundles in the target: " + bundles + ", launch configurations: "
-        + launches.size() + ", problems: " + problems.size());
+    System.out
+        .println("projects: " + projects.size() + ", bundles in the target: " + bundles + ", launch configurations: "
+            + launches.size() + ", problems: " + problems.size());
     ResourcesPlugin.getWorkspace().save(true, quiet);
     return problems.isEmpty() ? EXIT_OK : Integer.valueOf(1);
   }
@@ -157,8 +158,9 @@ public final class ProjectBuild implements IApplication {
         IResource.DEPTH_INFINITE)) {
       int severity = marker.getAttribute(IMarker.SEVERITY, IMarker.SEVERITY_INFO);
       if (severity != IMarker.SEVERITY_INFO) {
-        problems.add((severity == IMarker.SEVERITY_ERROR ? "error in " : "warning in ") + marker.getResource().getFullPath()
-            + ":" + marker.getAttribute(IMarker.LINE_NUMBER, 0) + ": " + marker.getAttribute(IMarker.MESSAGE, ""));
+        problems
+            .add((severity == IMarker.SEVERITY_ERROR ? "error in " : "warning in ") + marker.getResource().getFullPath()
+                + ":" + marker.getAttribute(IMarker.LINE_NUMBER, 0) + ": " + marker.getAttribute(IMarker.MESSAGE, ""));
       }
     }
   }
