@@ -70,7 +70,7 @@ public final class BridgeRunner implements AutoCloseable {
       }
       woken.set(false);
       ways.forEach(way -> guarded(() -> way.carry(now)));
-      boolean busy = ways.stream().anyMatch(way -> way.isWaiting());
+      boolean busy = ways.stream().anyMatch(CarriedWay::isWaiting);
       if (!woken.get()) {
         LockSupport.parkNanos(busy ? BUSY_PAUSE : ways.isEmpty() ? EMPTY_PAUSE : IDLE_PAUSE);
       }

@@ -59,7 +59,7 @@ final class ParameterWay implements CarriedWay {
   }
 
   @Override
-  public boolean isActive(long now) {
+  public boolean isWaiting() {
     return false;
   }
 
