@@ -150,6 +150,7 @@ start_more_displays() {
 }
 
 start_session_bus() {
+  : >"$1/bus"                   # else the address of an earlier run is taken for that of this one
   dbus-daemon --session --nofork --print-address=3 3>"$1/bus" >"$1/dbus.log" 2>&1 &
   display_processes+=("$!")
   await_line "$1/bus" && DBUS_SESSION_BUS_ADDRESS=$(head -n 1 "$1/bus") && export DBUS_SESSION_BUS_ADDRESS
