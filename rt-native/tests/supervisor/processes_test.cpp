@@ -268,9 +268,9 @@ TEST(Processes, TellWhatTheRobotIsMadeOf) {
 
 TEST(Processes, DrivesAreNotDisabledUnderAPluginThatLeadsThem) {
   RunningRobot robot("XBotRTPlugins: {plugins: [Sine]}");
+  expectOk(robot.ask("switch Sine 1"));  // waits until the robot runs
   EXPECT_EQ(robot.ctl("drives"),
             std::pair(0, std::string("The HAL of this robot has no drives that are enabled and disabled.\n")));
-  expectOk(robot.ask("switch Sine 1"));
   expectIn(robot.ask("disable").text, "Sine leads joints: stop it before the drives are disabled.");
   expectOk(robot.ask("switch Sine 0"));
   expectOk(robot.ask("disable"));
