@@ -2,12 +2,10 @@ package org.robotui.bridge.internal.carry;
 
 import java.util.Optional;
 import org.robotui.api.bridge.BridgeConfig;
-import org.robotui.api.bridge.BridgeEnd;
 import org.robotui.api.bridge.BridgeStatus;
 import org.robotui.api.bridge.BridgeStatus.Counts;
 import org.robotui.api.bridge.BridgeStatus.State;
 import org.robotui.api.bridge.BridgeTransform.Direction;
-import org.robotui.api.command.Principal;
 import org.robotui.api.port.Envelope;
 import org.robotui.bridge.internal.change.ValueFilter;
 
@@ -17,9 +15,7 @@ final class BridgeWay implements CarriedWay {
 
   private final BridgeConfig config;
   private final Direction direction;
-  private final BridgeEnd from;
-  private final BridgeEnd to;
-  private final Principal principal;
+  private final WayEnds ends;
   private final CarryContext surroundings;
   private final WaitingValues waiting;
   private final Optional<ValueFilter> filter;
@@ -37,13 +33,10 @@ final class BridgeWay implements CarriedWay {
   BridgeWay(BridgeConfig config, Direction direction, CarryContext surroundings) {
     this.config = config;
     this.direction = direction;
-    this.from = direction == Direction.FORTH ? config.from() : config.to();
-    this.to = direction == Direction.FORTH ? config.to() : config.from();
-    this.principal = new Principal("bridge:" + config.file() + ":" + config.name() + ":" + direction,
-        "Bridge " + config.name(), Principal.Kind.SCRIPT);
+    this.ends = WayEnds.of(config, direction);
     this.surroundings = surroundings;
     this.waiting = new WaitingValues(config.settings());
-    this.filter = ValueFilter.of(config.settings(), from.port());
+    this.filter = ValueFilter.of(config.settings(), ends.from().port());
     this.status = status(State.WAITING, "not begun yet");
   }
 
@@ -64,7 +57,7 @@ final class BridgeWay implements CarriedWay {
       close();
     }
     if (open.isEmpty()) {
-      open = OpenWay.of(config, direction, from, to, principal, surroundings);
+      open = OpenWay.of(config, direction, ends, surroundings);
     }
     open.ifPresent(way -> {
       boolean there = way.far().isThere();
@@ -80,7 +73,7 @@ final class BridgeWay implements CarriedWay {
   @Override
   public void carry(long now) {
     open.ifPresent(way -> {
-      way.near().take(from.port(), this::received);
+      way.near().take(ends.from().port(), this::received);
       Optional<Envelope<?>> next = waiting.next(now);
       while (next.isPresent() && pass(way, next.get(), now)) {
         waiting.passed(now);
@@ -122,7 +115,7 @@ final class BridgeWay implements CarriedWay {
 
   private BridgeStatus measured() {
     if (open.isEmpty()) {
-      return status(State.WAITING, OpenWay.missing(from, to, surroundings));
+      return status(State.WAITING, OpenWay.missing(ends, surroundings));
     }
     OpenWay way = open.get();
     Optional<String> wrong = way.wrong();
@@ -139,13 +132,14 @@ final class BridgeWay implements CarriedWay {
     }
     return live && tally.passed() > 0 ? status(State.CARRYING, "carrying")
         : status(State.WAITING, live && filtered > 0 ? "no value has met 'when' yet"
-            : way.near().state(from.port()).explanation());
+            : way.near().state(ends.from().port()).explanation());
   }
 
   private BridgeStatus status(State state, String text) {
     Counts counts =
         new Counts(received, tally.passed(), filtered + waiting.thinned(), lost + waiting.dropped(), tally.refused());
-    return new BridgeStatus(config.name(), from, to, state, text, counts, tally.rateHz(), tally.lagSeconds(),
+    return new BridgeStatus(config.name(), ends.from(), ends.to(), state, text, counts, tally.rateHz(),
+        tally.lagSeconds(),
         open.flatMap(way -> way.far().holder()));
   }
 

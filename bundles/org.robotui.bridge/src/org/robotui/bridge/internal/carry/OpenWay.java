@@ -6,7 +6,6 @@ import java.util.Optional;
 import org.robotui.api.bridge.BridgeConfig;
 import org.robotui.api.bridge.BridgeEnd;
 import org.robotui.api.bridge.BridgeTransform.Direction;
-import org.robotui.api.command.Principal;
 import org.robotui.api.config.Settings;
 import org.robotui.api.host.InterfaceConfig;
 import org.robotui.api.host.PortAccess;
@@ -34,8 +33,7 @@ import org.robotui.data.record.DynamicRecord;
 final class OpenWay implements AutoCloseable {
   private final Ruic source;
   private final Ruic sink;
-  private final BridgeEnd from;
-  private final BridgeEnd to;
+  private final WayEnds ends;
   private final PortAccess near;
   private final PortAccess beyond;
   private final FarSide far;
@@ -46,35 +44,33 @@ final class OpenWay implements AutoCloseable {
   private final Optional<FieldMapping> fields;
   private final CarryContext surroundings;
 
-  private OpenWay(BridgeConfig config, Direction direction, BridgeEnd from, BridgeEnd to, Ruic source, Ruic sink,
-      Principal principal, CarryContext surroundings) {
+  private OpenWay(BridgeConfig config, Direction direction, WayEnds ends, Ruic source, Ruic sink,
+      CarryContext surroundings) {
     this.source = source;
     this.sink = sink;
-    this.from = from;
-    this.to = to;
+    this.ends = ends;
     this.direction = direction;
     this.settings = config.settings();
     this.surroundings = surroundings;
     boolean back = direction == Direction.BACK;
     this.stamps = StampMoving.of(settings, back, source.clock(), sink.clock());
-    FrameRenaming forth = FrameRenaming.of(settings, robot(sink, to));
-    this.rewriting = new ValueRewriting(back ? forth.back(robot(sink, to)) : forth, stamps);
+    FrameRenaming forth = FrameRenaming.of(settings, robot(sink, ends.to()));
+    this.rewriting = new ValueRewriting(back ? forth.back(robot(sink, ends.to())) : forth, stamps);
     this.fields = FieldMapping.of(settings);
-    this.near = source.access(principal);
+    this.near = source.access(ends.principal());
     this.near.onArrival(surroundings.arrival());
-    this.beyond = sink.access(principal);
-    this.far = new FarSide(to, sink, beyond, settings);
+    this.beyond = sink.access(ends.principal());
+    this.far = new FarSide(ends.to(), sink, beyond, settings);
   }
 
   /** Opens a way; none where one of its robot UIs is not there. */
-  static Optional<OpenWay> of(BridgeConfig config, Direction direction, BridgeEnd from, BridgeEnd to,
-      Principal principal, CarryContext surroundings) {
-    return surroundings.ruic(from).flatMap(source -> surroundings.ruic(to)
-        .map(sink -> new OpenWay(config, direction, from, to, source, sink, principal, surroundings)));
+  static Optional<OpenWay> of(BridgeConfig config, Direction direction, WayEnds ends, CarryContext surroundings) {
+    return surroundings.ruic(ends.from()).flatMap(source -> surroundings.ruic(ends.to())
+        .map(sink -> new OpenWay(config, direction, ends, source, sink, surroundings)));
   }
 
-  static String missing(BridgeEnd from, BridgeEnd to, CarryContext surroundings) {
-    BridgeEnd absent = surroundings.ruic(from).isEmpty() ? from : to;
+  static String missing(WayEnds ends, CarryContext surroundings) {
+    BridgeEnd absent = surroundings.ruic(ends.from()).isEmpty() ? ends.from() : ends.to();
     return "the robot UI '" + absent.ruic() + "' does not run";
   }
 
@@ -84,7 +80,7 @@ final class OpenWay implements AutoCloseable {
   }
 
   boolean isCurrent(CarryContext now) {
-    return now.ruic(from).filter(r -> r == source).isPresent() && now.ruic(to).filter(r -> r == sink).isPresent();
+    return ends.stillJoin(source, sink, now);
   }
 
   PortAccess near() {

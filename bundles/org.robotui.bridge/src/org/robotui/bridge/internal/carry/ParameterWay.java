@@ -6,12 +6,10 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.locks.Lock;
 import org.robotui.api.bridge.BridgeConfig;
-import org.robotui.api.bridge.BridgeEnd;
 import org.robotui.api.bridge.BridgeStatus;
 import org.robotui.api.bridge.BridgeStatus.Counts;
 import org.robotui.api.bridge.BridgeStatus.State;
 import org.robotui.api.bridge.BridgeTransform.Direction;
-import org.robotui.api.command.Principal;
 import org.robotui.api.port.CallException;
 
 /**
@@ -24,9 +22,7 @@ final class ParameterWay implements CarriedWay {
 
   private final BridgeConfig config;
   private final Direction direction;
-  private final BridgeEnd from;
-  private final BridgeEnd to;
-  private final Principal principal;
+  private final WayEnds ends;
   private final CarryContext surroundings;
   private final Lock lock;
   /** Whether nobody but this way sets it at the other robot. */
@@ -43,10 +39,7 @@ final class ParameterWay implements CarriedWay {
   ParameterWay(BridgeConfig config, Direction direction, CarryContext surroundings, Lock lock) {
     this.config = config;
     this.direction = direction;
-    this.from = direction == Direction.FORTH ? config.from() : config.to();
-    this.to = direction == Direction.FORTH ? config.to() : config.from();
-    this.principal = new Principal("bridge:" + config.file() + ":" + config.name() + ":" + direction,
-        "Bridge " + config.name(), Principal.Kind.SCRIPT);
+    this.ends = WayEnds.of(config, direction);
     this.surroundings = surroundings;
     this.lock = lock;
     this.alone = !config.settings().flag("both");
@@ -69,7 +62,7 @@ final class ParameterWay implements CarriedWay {
       close();
     }
     if (open.isEmpty()) {
-      open = ParameterRoute.of(from, to, principal, surroundings);
+      open = ParameterRoute.of(ends, surroundings);
     }
     open.ifPresent(route -> {
       route.far().tick(now);
@@ -85,7 +78,7 @@ final class ParameterWay implements CarriedWay {
     lock.lock();
     try {
       Optional<Object> value = route.near().value();
-      problem = value.isPresent() ? Optional.empty() : Optional.of(from + " is not set");
+      problem = value.isPresent() ? Optional.empty() : Optional.of(ends.from() + " is not set");
       if (value.isPresent() && (alone || !value.equals(carried))) {
         compared(route, value.get());
       }
@@ -121,7 +114,7 @@ final class ParameterWay implements CarriedWay {
 
   private BridgeStatus measured() {
     if (open.isEmpty()) {
-      return status(State.WAITING, OpenWay.missing(from, to, surroundings));
+      return status(State.WAITING, OpenWay.missing(ends, surroundings));
     }
     Optional<String> missing = open.get().missing().or(() -> problem);
     if (missing.isPresent()) {
@@ -133,7 +126,8 @@ final class ParameterWay implements CarriedWay {
 
   private BridgeStatus status(State state, String text) {
     Counts counts = new Counts(received.get(), tally.passed(), 0, 0, tally.refused());
-    return new BridgeStatus(config.name(), from, to, state, text, counts, tally.rateHz(), tally.lagSeconds(),
+    return new BridgeStatus(config.name(), ends.from(), ends.to(), state, text, counts, tally.rateHz(),
+        tally.lagSeconds(),
         open.flatMap(route -> route.far().holder()));
   }
 

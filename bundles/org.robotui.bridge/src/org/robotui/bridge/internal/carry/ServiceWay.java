@@ -8,7 +8,6 @@ import org.robotui.api.bridge.BridgeConfig;
 import org.robotui.api.bridge.BridgeStatus;
 import org.robotui.api.bridge.BridgeStatus.Counts;
 import org.robotui.api.bridge.BridgeStatus.State;
-import org.robotui.api.command.Principal;
 import org.robotui.api.port.ActionReply;
 import org.robotui.api.port.CallException;
 import org.robotui.api.port.CallOutcome;
@@ -25,7 +24,7 @@ final class ServiceWay implements CarriedWay {
   private static final long RECENT = 3_000_000_000L;
 
   private final BridgeConfig config;
-  private final Principal principal;
+  private final WayEnds ends;
   private final CarryContext surroundings;
   private final WayTally tally = new WayTally();
   private final AtomicLong received = new AtomicLong();
@@ -43,8 +42,7 @@ final class ServiceWay implements CarriedWay {
 
   ServiceWay(BridgeConfig config, CarryContext surroundings) {
     this.config = config;
-    this.principal = new Principal("bridge:" + config.file() + ":" + config.name(), "Bridge " + config.name(),
-        Principal.Kind.SCRIPT);
+    this.ends = WayEnds.of(config);
     this.surroundings = surroundings;
     this.status = status(State.WAITING, "not begun yet");
   }
@@ -65,7 +63,7 @@ final class ServiceWay implements CarriedWay {
       close();
     }
     if (open.isEmpty()) {
-      open = ServiceRoute.of(config, principal, surroundings);
+      open = ServiceRoute.of(config, ends.principal(), surroundings);
     }
     open.ifPresent(route -> {
       route.robot().tick(now);
@@ -101,7 +99,7 @@ final class ServiceWay implements CarriedWay {
 
   private BridgeStatus measured() {
     if (open.isEmpty()) {
-      return status(State.WAITING, OpenWay.missing(config.from(), config.to(), surroundings));
+      return status(State.WAITING, OpenWay.missing(ends, surroundings));
     }
     Optional<String> missing = open.get().missing();
     if (missing.isPresent()) {
@@ -116,7 +114,7 @@ final class ServiceWay implements CarriedWay {
 
   private BridgeStatus status(State state, String text) {
     Counts counts = new Counts(received.get(), tally.passed(), 0, 0, tally.refused());
-    return new BridgeStatus(config.name(), config.from(), config.to(), state, text, counts, tally.rateHz(),
+    return new BridgeStatus(config.name(), ends.from(), ends.to(), state, text, counts, tally.rateHz(),
         tally.lagSeconds(), open.flatMap(route -> route.robot().holder()));
   }
 
