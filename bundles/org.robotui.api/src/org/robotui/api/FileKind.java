@@ -9,7 +9,7 @@ import java.util.Locale;
 import java.util.Optional;
 
 /**
- * Files and folders that a robot interface opens without that a user writes a configuration.
+ * Files and folders that a robot interface opens without a configuration of a user.
  *
  * @param label what they are, for users, in the plural, for example {@code Recordings}
  * @param extensions what their names end with, without the dot before it, in lower case, at least one

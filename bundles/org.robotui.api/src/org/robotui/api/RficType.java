@@ -15,9 +15,8 @@ public interface RficType extends ComponentType {
   Rfic create(RficContext context, Settings settings);
 
   /**
-   * The files that it opens without that a user writes a configuration: they are given to an instance by one setting,
-   * and all others have their usual values. An instance whose file is wrong reports a link that has failed, with the
-   * reason.
+   * The files that it opens without a configuration of a user: they are given to an instance by one setting, and all
+   * others have their usual values. An instance whose file is wrong reports a link that has failed, with the reason.
    *
    * @return always the same; none where its robots are no files
    */

@@ -5,8 +5,8 @@ import java.util.function.Supplier;
 import org.robotui.xbot.internal.CycleMemory;
 
 /**
- * Reads every cycle of a control, one after the other, without that the control knows of it: the memory holds the last
- * 1024, a second at 1 kHz. Who reads less often misses some, which are counted. For one thread; never waits.
+ * Reads every cycle of a control, one after the other; the control does not know of it. The memory holds the last 1024,
+ * a second at 1 kHz. Who reads less often misses some, which are counted. For one thread; never waits.
  */
 public final class CycleReader {
   private final Supplier<? extends CycleMemory> memory;

@@ -23,7 +23,7 @@ final class Driver {
   /** Navigation tells its progress several times as often. */
   private static final double MOMENT_SECONDS = 1.5;
   private static final Duration VALID = Duration.ofMillis(250);
-  /** For how long a gamepad drives without that its view was seen. */
+  /** For how long a gamepad drives although its view was not seen. */
   private static final long SEEN_NANOS = 400_000_000;
 
   private final TeleopModel model = new TeleopModel();

@@ -73,7 +73,7 @@ final class Trim {
     model.getTrimBars().forEach(Trim::fill);
   }
 
-  /** What the platform placed beside ours may be gone already, without that our lines had got its room. */
+  /** What the platform placed beside ours may be gone already, while our lines have not got its room yet. */
   private static void fill(MTrimBar bar) {
     if (bar.getWidget() instanceof Composite line && !line.isDisposed()) {
       line.layout(true, true);

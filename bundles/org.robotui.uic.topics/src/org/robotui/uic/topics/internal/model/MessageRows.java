@@ -18,7 +18,7 @@ import org.robotui.api.replay.TimeRange;
 /**
  * The messages of a recorded topic around a time. Read once, on a worker; immutable.
  *
- * @param low where the position may be without that rows before it are missing, time of the recording
+ * @param low where the position may be and no row before it is missing, time of the recording
  * @param high the same behind
  * @param rows by time
  */
