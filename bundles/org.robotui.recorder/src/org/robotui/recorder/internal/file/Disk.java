@@ -2,6 +2,7 @@ package org.robotui.recorder.internal.file;
 
 import java.io.IOException;
 import java.nio.file.Files;
+import java.nio.file.NotDirectoryException;
 import java.nio.file.Path;
 import java.time.LocalDateTime;
 import java.time.format.DateTimeFormatter;
@@ -29,7 +30,10 @@ public class Disk {
    * @throws IOException where that cannot be told
    */
   protected long left(Path folder) throws IOException {
-    return Files.getFileStore(folder).getUsableSpace();
+    if (!Files.isDirectory(folder)) {
+      throw new NotDirectoryException(folder.toString());
+    }
+    return folder.toFile().getUsableSpace(); // a file store needs the list of mounts, which not every container has
   }
 
   /** The file that is meant: in a folder it is named by the time. */

@@ -64,7 +64,7 @@ final class UnpackedFile {
       long done = 0;
       long checked = 0;
       for (int read = read(in, bytes, done, damages); read >= 0; read = read(in, bytes, done, damages)) {
-        if (done >= checked && Files.getFileStore(plain).getUsableSpace() < LEAST_ROOM) {
+        if (done >= checked && plain.toFile().getUsableSpace() < LEAST_ROOM) {
           throw new RecordingException(packed, 0, "it is compressed, and " + plain.getParent() + " has no room for all"
               + " of it; decompress it where there is room (zstd -d), and open what comes out");
         }

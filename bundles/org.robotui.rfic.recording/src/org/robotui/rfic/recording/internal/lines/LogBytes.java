@@ -90,7 +90,7 @@ record LogBytes(RandomAccessFile in, Optional<RecordingDamage> damage) {
         if (read < 0) {
           return Optional.empty();
         }
-        if (done >= checked && Files.getFileStore(plain).getUsableSpace() < LEAST_ROOM) {
+        if (done >= checked && plain.toFile().getUsableSpace() < LEAST_ROOM) {
           throw new RecordingException(file, 0, "it is compressed, and " + plain.getParent()
               + " has no room for all of it; decompress it where there is room (gunzip -k), and open what comes out");
         }
