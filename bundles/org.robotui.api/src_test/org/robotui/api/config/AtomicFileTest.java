@@ -63,7 +63,8 @@ class AtomicFileTest {
 
   @Test
   void theRightsStay() throws IOException {
-    Assumptions.assumeTrue(folder.getFileSystem().supportedFileAttributeViews().contains("posix"), "it has no such rights");
+    Assumptions.assumeTrue(folder.getFileSystem().supportedFileAttributeViews().contains("posix"),
+        "it has no such rights");
     AtomicFile.write(file, "before");
     Files.setPosixFilePermissions(file, PosixFilePermissions.fromString("rw-r-----"));
     AtomicFile.write(file, "after");
@@ -76,7 +77,8 @@ class AtomicFileTest {
 
   @Test
   void aPrivateFileIsClosedToOthersAndSoAreFoldersThatAreMadeForIt() throws IOException {
-    Assumptions.assumeTrue(folder.getFileSystem().supportedFileAttributeViews().contains("posix"), "it has no such rights");
+    Assumptions.assumeTrue(folder.getFileSystem().supportedFileAttributeViews().contains("posix"),
+        "it has no such rights");
     Path kept = folder.resolve("state").resolve("kept");
     AtomicFile.writePrivate(kept, "before");
     assertEquals("rwx------", rights(kept.getParent()));
