@@ -5,7 +5,7 @@ readonly WINDOW_PACKAGES=("libgtk-3-0t64|libgtk-3-0" fonts-dejavu-core adwaita-i
 readonly BUILD_PACKAGES=(maven)
 readonly DISPLAY_PACKAGES=(xvfb xauth libgl1 libgl1-mesa-dri openbox dbus-x11 xdotool imagemagick x11-utils)
 readonly PEER_PACKAGES=(
-  python3-pytest python3-pytest-rerunfailures python3-pytest-xdist python3-yaml python3-numpy python3-venv bzip2
+  python3-pytest python3-pytest-rerunfailures python3-pytest-xdist python3-yaml python3-numpy python3-venv python3-dev bzip2
   python3-roslaunch python3-rostopic python3-rosbag python3-rosservice python3-rosnode python3-rosparam
   python3-sensor-msgs python3-nav-msgs python3-tf2-msgs python3-std-srvs python3-diagnostic-msgs
   python3-actionlib python3-dynamic-reconfigure python3-move-base-msgs

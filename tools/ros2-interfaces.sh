@@ -36,9 +36,7 @@ make_package() {
   local work=$1 name=$2 part
   shift 2
   mkdir -p "$work/source" "$work/inc/$name" "$V/share/$name"
-  cp_definitions "$work/source" "$name" "$@"
-  generate "$work" "$name" "$@"
-  build "$work/inc/$name" "$work/inc" "$name"
+  cp_definitions "$work/source" "$name" "$@" && generate "$work" "$name" "$@" && build "$work/inc/$name" "$work/inc" "$name" || return
   for part in action msg srv; do
     [[ ! -d $work/source/$part ]] || { mkdir -p "$V/share/$name/$part"; cp "$work/source/$part"/* "$V/share/$name/$part/"; }
   done
@@ -70,14 +68,15 @@ generate() {
   done
 }
 
+# Each step says by itself where it failed: nothing else ends a function whose caller asks whether it did.
 build() {
   local o=$1 inc=$2 name=$3 include link kind package flags=(-shared -fPIC -O1 -w)
   mapfile -t include < <(includes "$inc")
   mapfile -t link < <(libraries "$name")
-  gcc "${flags[@]}" "${include[@]}" -o "$V/lib/lib${name}__rosidl_generator_c.so" "$o"/*/detail/*functions.c "$o"/*/detail/*description.c "$o"/*/detail/*type_support.c "${link[@]}"
-  g++ "${flags[@]}" -std=c++17 "${include[@]}" -o "$V/lib/lib${name}__rosidl_typesupport_fastrtps_c.so" "$o"/*/detail/*_c.cpp "${link[@]}" "-l${name}__rosidl_generator_c"
-  g++ "${flags[@]}" -std=c++17 "${include[@]}" -o "$V/lib/lib${name}__rosidl_typesupport_c.so" "$o"/*/*type_support.cpp "${link[@]}" "-l${name}__rosidl_generator_c"
-  gcc "${flags[@]}" "${include[@]}" -o "$V/lib/lib${name}__rosidl_generator_py.so" "$o"/*/_*_s.c "${link[@]}" "-l${name}__rosidl_generator_c"
+  gcc "${flags[@]}" "${include[@]}" -o "$V/lib/lib${name}__rosidl_generator_c.so" "$o"/*/detail/*functions.c "$o"/*/detail/*description.c "$o"/*/detail/*type_support.c "${link[@]}" || return
+  g++ "${flags[@]}" -std=c++17 "${include[@]}" -o "$V/lib/lib${name}__rosidl_typesupport_fastrtps_c.so" "$o"/*/detail/*_c.cpp "${link[@]}" "-l${name}__rosidl_generator_c" || return
+  g++ "${flags[@]}" -std=c++17 "${include[@]}" -o "$V/lib/lib${name}__rosidl_typesupport_c.so" "$o"/*/*type_support.cpp "${link[@]}" "-l${name}__rosidl_generator_c" || return
+  gcc "${flags[@]}" "${include[@]}" -o "$V/lib/lib${name}__rosidl_generator_py.so" "$o"/*/_*_s.c "${link[@]}" "-l${name}__rosidl_generator_c" || return
   package=$(site)/$name
   rm -rf "$package"
   mkdir -p "$package"
@@ -87,7 +86,7 @@ build() {
   done
   for kind in typesupport_c typesupport_fastrtps_c; do
     gcc "${flags[@]}" "${include[@]}" -o "$package/${name}_s__rosidl_$kind$("$PYTHON" -c 'import sysconfig; print(sysconfig.get_config_var("EXT_SUFFIX"))')" \
-      "$o/_${name}_s.ep.rosidl_$kind.c" "${link[@]}" "-l${name}__rosidl_generator_py" "-l${name}__rosidl_generator_c" "-l${name}__rosidl_$kind"
+      "$o/_${name}_s.ep.rosidl_$kind.c" "${link[@]}" "-l${name}__rosidl_generator_py" "-l${name}__rosidl_generator_c" "-l${name}__rosidl_$kind" || return
   done
 }
 
