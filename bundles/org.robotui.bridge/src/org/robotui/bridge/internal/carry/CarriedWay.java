@@ -8,7 +8,9 @@ interface CarriedWay extends AutoCloseable {
   BridgeStatus status();
 
   /** Whether something waits for its time, so that it is worth looking again at once. */
-  boolean isWaiting();
+  default boolean isWaiting() {
+    return false;
+  }
 
   /** Follows what has come and gone. */
   void look(long now);

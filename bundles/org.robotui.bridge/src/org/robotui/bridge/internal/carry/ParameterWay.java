@@ -52,11 +52,6 @@ final class ParameterWay implements CarriedWay {
   }
 
   @Override
-  public boolean isWaiting() {
-    return false;
-  }
-
-  @Override
   public void look(long now) {
     if (open.filter(route -> !route.isCurrent(surroundings)).isPresent()) {
       close();

@@ -6,7 +6,6 @@ import java.util.concurrent.CompletableFuture;
 import java.util.function.Supplier;
 import org.robotui.api.bridge.BridgeConfig;
 import org.robotui.api.bridge.BridgeEnd;
-import org.robotui.api.command.Principal;
 import org.robotui.api.config.Settings;
 import org.robotui.api.host.PortAccess;
 import org.robotui.api.host.Ruic;
@@ -33,6 +32,7 @@ final class ServiceRoute implements AutoCloseable {
   private static final Duration TIMELY = Duration.ofSeconds(5);
 
   private final BridgeConfig config;
+  private final WayEnds ends;
   private final Offering offering;
   private final Ruic asking;
   private final Ruic answering;
@@ -43,16 +43,17 @@ final class ServiceRoute implements AutoCloseable {
   private final SourceId serve;
   private volatile boolean closed;
 
-  private ServiceRoute(BridgeConfig config, Ruic asking, Ruic answering, Principal principal) {
+  private ServiceRoute(BridgeConfig config, WayEnds ends, Ruic asking, Ruic answering) {
     Settings settings = config.settings();
     this.config = config;
+    this.ends = ends;
     this.offering = Offering.of(settings);
     this.asking = asking;
     this.answering = answering;
-    this.near = asking.access(principal);
-    this.beyond = answering.access(principal);
-    this.robot = new AskedRobot(config.to(), answering, beyond, settings, offering.patience(settings));
-    this.serve = new SourceId(config.from().port().component(), offering.port());
+    this.near = asking.access(ends.principal());
+    this.beyond = answering.access(ends.principal());
+    this.robot = new AskedRobot(ends.to(), answering, beyond, settings, offering.patience(settings));
+    this.serve = new SourceId(ends.from().port().component(), offering.port());
     FrameRenaming frames = FrameRenaming.of(settings, answering.name());
     this.mapping = ServiceMapping.of(settings,
         new ValueRewriting(frames, StampMoving.of(settings, false, asking.clock(), answering.clock())),
@@ -60,14 +61,13 @@ final class ServiceRoute implements AutoCloseable {
             StampMoving.of(settings, true, answering.clock(), asking.clock())));
   }
 
-  static Optional<ServiceRoute> of(BridgeConfig config, Principal principal, CarryContext surroundings) {
-    return surroundings.ruic(config.from()).flatMap(asking -> surroundings.ruic(config.to())
-        .map(answering -> new ServiceRoute(config, asking, answering, principal)));
+  static Optional<ServiceRoute> of(BridgeConfig config, WayEnds ends, CarryContext surroundings) {
+    return surroundings.ruic(ends.from()).flatMap(asking -> surroundings.ruic(ends.to())
+        .map(answering -> new ServiceRoute(config, ends, asking, answering)));
   }
 
   boolean isCurrent(CarryContext now) {
-    return now.ruic(config.from()).filter(r -> r == asking).isPresent()
-        && now.ruic(config.to()).filter(r -> r == answering).isPresent();
+    return ends.stillJoin(asking, answering, now);
   }
 
   AskedRobot robot() {
@@ -77,7 +77,7 @@ final class ServiceRoute implements AutoCloseable {
   /** Why it cannot be offered now. */
   Optional<String> missing() {
     if (near.port(PortKind.CALL, serve).isEmpty()) {
-      BridgeEnd from = config.from();
+      BridgeEnd from = ends.from();
       String who = "'" + from.ruic() + "." + from.port().component() + "'";
       boolean connected = near.port(PortKind.CALL, new SourceId(from.port().component(), CALLS)).isPresent();
       return Optional.of(connected
@@ -98,17 +98,17 @@ final class ServiceRoute implements AutoCloseable {
     AskedRobot.Found found = robot.find(offering.kind(), !settings.has("type"));
     String type = settings.has("type") ? settings.text("type") : found.kind() == offering.kind() ? found.type() : "";
     if (type.isEmpty()) {
-      throw new CallException("the type of " + config.to() + " is not known: give the bridge the type of the "
+      throw new CallException("the type of " + ends.to() + " is not known: give the bridge the type of the "
           + offering.word() + " that it offers with 'type', such as " + offering.example());
     }
-    Object offer = offering.offer(config.from().port().port(), type,
+    Object offer = offering.offer(ends.from().port().port(), type,
         (request, progress) -> calls.answered(() -> ask(found, request, progress)));
     CompletableFuture<CallOutcome<?>> outcome = new CompletableFuture<>();
     near.call(serve, offer, TIMELY, Progress.IGNORED).outcome().thenAccept(outcome::complete);
     return switch (outcome.join()) {
       case CallOutcome.Replied<?> replied when replied.reply() instanceof ServiceGrant grant -> grant;
       case CallOutcome.Failed<?> failed -> throw new CallException(failed.reason());
-      default -> throw new CallException(config.from() + " could not be offered within " + TIMELY.toSeconds() + " s");
+      default -> throw new CallException(ends.from() + " could not be offered within " + TIMELY.toSeconds() + " s");
     };
   }
 

@@ -53,17 +53,12 @@ final class ServiceWay implements CarriedWay {
   }
 
   @Override
-  public boolean isWaiting() {
-    return false;
-  }
-
-  @Override
   public void look(long now) {
     if (open.filter(route -> !route.isCurrent(surroundings)).isPresent()) {
       close();
     }
     if (open.isEmpty()) {
-      open = ServiceRoute.of(config, ends.principal(), surroundings);
+      open = ServiceRoute.of(config, ends, surroundings);
     }
     open.ifPresent(route -> {
       route.robot().tick(now);
