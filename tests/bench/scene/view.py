@@ -18,7 +18,7 @@ INEXACT, SIZINGS = 2, 8                                             # pixels, at
 STRIP = 8                                                           # rows that are compared
 LEAST_PICTURES, PATIENCE = 4, 15                                    # where they are slow
 START_PATIENCE = 120
-DRAG, ENOUGH = 8, 8                                                 # seconds, rectangles
+DRAG, ENOUGH, LEAST_DRAWN = 8, 16, 3                                # seconds, rectangles, how often one is the same
 STILL = 1.5                                                         # seconds in which nothing more comes
 PATCH = 20                                                          # pixels that tell how the camera stands
 CLEAR = 150                                                         # of three times 255, between its colours
@@ -60,12 +60,16 @@ class View:
         raise CannotMeasure(f"the view of {self.program.name} cannot be made {SIZE[0]} x {SIZE[1]} pixels large, but {area}")
 
     def _found(self):
-        """The largest rectangle that is drawn again and again while the middle of the window is dragged."""
+        """
+        The smallest of the large rectangles that are drawn again and again while the middle of the window is dragged: where the heading above the
+        view changes at the same time, both are drawn as one rectangle.
+        """
         end = time.monotonic() + START_PATIENCE
         while time.monotonic() < end:
             counts = collections.Counter(self._drawn())             # a new drag each time: one that began too early moves nothing
-            if counts and counts.most_common(1)[0][1] >= LEAST_PICTURES:
-                return counts.most_common(1)[0][0]
+            again = [area for area, count in counts.items() if count >= LEAST_DRAWN]
+            if again:
+                return min(again, key=lambda area: area.size)
         raise CannotMeasure(f"{self.program.name} shows no view that can be turned\n{self.program.log.read_text()[-2000:]}")
 
     def _drawn(self):
