@@ -59,6 +59,15 @@ final class ViewHolder extends Composite implements UiContext {
     return id;
   }
 
+  String ruicName() {
+    return ruic.name();
+  }
+
+  /** Whether it shows its view, and not why there is none. */
+  boolean runs() {
+    return shown.isPresent();
+  }
+
   /** Puts it elsewhere: what it shows goes on. */
   void into(Composite parent, Title line) {
     title = line;
