@@ -11,6 +11,7 @@ import org.eclipse.swt.SWT;
 import org.eclipse.swt.widgets.Control;
 import org.eclipse.swt.widgets.Display;
 import org.eclipse.swt.widgets.Event;
+import org.eclipse.swt.widgets.Listener;
 import org.eclipse.swt.widgets.Text;
 import org.robotui.workbench.internal.dock.SeenView;
 import org.robotui.workbench.internal.pane.SearchPane;
@@ -19,12 +20,15 @@ import org.robotui.workbench.internal.pane.SearchPane;
  * How soon the window answers its user: when each view that was opened was first seen, and how long the search takes
  * from a key until what it found is seen. Made on the display thread, told to any.
  */
-final class AnswerTimes {
+final class AnswerTimes implements AutoCloseable {
   private final Display display;
   private final Map<String, Long> seen = new ConcurrentSkipListMap<>();
   private final Latencies opening = new Latencies();
   private final Latencies answering = new Latencies();
   private final Set<Control> known = Collections.newSetFromMap(new WeakHashMap<>());
+  private final Listener pressed = event -> keyNanos = System.nanoTime();
+  private final Listener changed = this::changed;
+  private final Listener painted = this::painted;
   /** When the last key was pressed. */
   private long keyNanos;
   /** The search in which a text was changed and nothing was painted since. */
@@ -32,9 +36,18 @@ final class AnswerTimes {
 
   AnswerTimes(Display display) {
     this.display = display;
-    display.addFilter(SWT.KeyDown, event -> keyNanos = System.nanoTime());
-    display.addFilter(SWT.Modify, this::changed);
-    display.addFilter(SWT.Paint, this::painted);
+    display.addFilter(SWT.KeyDown, pressed);
+    display.addFilter(SWT.Modify, changed);
+    display.addFilter(SWT.Paint, painted);
+  }
+
+  @Override
+  public void close() {
+    if (!display.isDisposed()) {
+      display.removeFilter(SWT.KeyDown, pressed);
+      display.removeFilter(SWT.Modify, changed);
+      display.removeFilter(SWT.Paint, painted);
+    }
   }
 
   /**
