@@ -53,6 +53,8 @@ final class ViewHolder extends Composite implements UiContext {
     this.id = id;
     setBackground(theme.color(Role.PANEL));
     setLayout(new FillLayout());
+    // A view may keep what it was given, and so must not keep the window that it was shown in.
+    addListener(SWT.Dispose, e -> title = holder -> {});
   }
 
   String id() {
