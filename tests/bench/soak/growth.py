@@ -24,8 +24,9 @@ def figures(samples, name):
     for key, (what, goal, unit) in GOALS.items():
         values = [sample[key] for sample in samples]
         slope, error = line(times, values)
-        yield {"bench": "soak", "figure": f"{what}, {unit + ' ' if unit else ''}more in an hour", "ours": round(slope, 2), "ours_quartiles": [round(slope - error, 2), round(slope + error, 2)],
-               "peer": round(statistics.median(values), 1), "peer_name": f"median of {name}", "ratio": None, "goal": f"<= {goal}", "holds": slope <= goal, "rounds": len(values)}
+        median = f"{statistics.median(values):.6g}{' ' + unit if unit else ''}"
+        yield {"bench": "soak", "figure": f"{what} ({median}), more in an hour", "ours": round(slope, 2), "standard_error": round(error, 2), "peer": None, "peer_name": None,
+               "ratio": None, "goal": f"<= {goal}{' ' + unit if unit else ''}", "holds": slope <= goal, "with": name, "rounds": len(values)}
 
 
 def grown(first, last, samples):
