@@ -80,7 +80,8 @@ final class AnswerTimes implements AutoCloseable {
       return;
     }
     SeenView.of(control).filter(view -> known.add(view.control()))
-        .ifPresent(view -> display.asyncExec(() -> seen.put(view.ruic() + "/" + view.id(), System.currentTimeMillis())));
+        .ifPresent(
+            view -> display.asyncExec(() -> seen.put(view.ruic() + "/" + view.id(), System.currentTimeMillis())));
     if (!(control instanceof Text)) {
       SearchPane.around(control).ifPresent(this::painted);
     }

@@ -27,10 +27,11 @@ import org.slf4j.LoggerFactory;
 
 /**
  * Measures how the window does for its user, and writes it down every second and at the end: when the first live
- * picture was painted, how long the display thread lets a task wait, what it did in the slowest turns, what each robot's
- * views had painted, when each view was seen first, and how soon the search answered. Once the start is over, a thread of its own asks the display for a sign a hundred times a
- * second, each time anew after the last one came; where that takes long, it looks at the stack. It does neither before:
- * that took a quarter of a second of a processor from the start it measured.
+ * picture was painted, how long the display thread lets a task wait, what it did in the slowest turns, what each
+ * robot's views had painted, when each view was seen first, and how soon the search answered. Once the start is over, a
+ * thread of its own asks the display for a sign a hundred times a second, each time anew after the last one came; where
+ * that takes long, it looks at the stack. It does neither before: that took a quarter of a second of a processor from
+ * the start it measured.
  */
 public final class Measurement implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(Measurement.class);
