@@ -65,7 +65,8 @@ public final class SoundType implements UicType {
               + "and, or, not, brackets, + - * /, age(scan) and rate(scan)."),
       Setting.of(HYSTERESIS, new ValueType.Num(0, MOST, ""), 0.0,
           "By how much a number must come back for the alert to end, in its unit."),
-      Setting.of(FOR, new ValueType.Num(0, 3600, "s"), 0.0, "How long the condition must hold before the alert begins."),
+      Setting.of(FOR, new ValueType.Num(0, 3600, "s"), 0.0,
+          "How long the condition must hold before the alert begins."),
       Setting.of(SOUND,
           new ValueType.WithPlace(
               new ValueType.Text(TextRule.readBy("beep, chime, alarm, or the path of a .wav file", Sound::parse))),

@@ -166,6 +166,7 @@ public final class Measurement implements AutoCloseable {
   public void close() {
     closed = true;
     subscription.close();
+    answers.close();
     LockSupport.unpark(prober);
     write();
   }
