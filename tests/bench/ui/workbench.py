@@ -6,6 +6,7 @@ import signal
 import subprocess
 import time
 
+import answers
 import building
 from building import CannotMeasure, variable
 from display import wait_for
@@ -17,13 +18,13 @@ SETTLED, MEASURED = 10, 12            # seconds after the first picture: the vir
 
 
 class Workbench:
-    def __init__(self, display, configuration, environment):
+    def __init__(self, display, configuration, environment, *options):
         self.file = display.folder / f"measured-{time.monotonic_ns()}.json"
         self.log = display.folder / "robotui.log"
         product = pathlib.Path(variable("ROBOTUI_WINDOW_PRODUCT", "ui"), "robotui")
         self.started = time.time()
         with self.log.open("w") as log:
-            self.process = subprocess.Popen([product, "-config", configuration, "-measure", self.file],
+            self.process = subprocess.Popen([product, "-config", configuration, "-measure", self.file, *options],
                                             env={**display.environment, **environment}, stdout=log, stderr=log)
 
     def cpu_seconds(self):
@@ -55,8 +56,8 @@ class Workbench:
             self.process.wait()
 
 
-def measured(workbench):
-    """Processor time per second while it runs on, and what it says of itself."""
+def measured(workbench, then=lambda: {}):
+    """Processor time per second while it runs on, what it says of itself, and what is measured THEN."""
     try:
         wait_for(workbench.has_painted, "a live picture")
         time.sleep(SETTLED)
@@ -64,6 +65,7 @@ def measured(workbench):
         time.sleep(MEASURED)
         result = {"cpu": (workbench.cpu_seconds() - cpu) / (time.monotonic() - before), "pss": workbench.pss_megabytes()}
         said = workbench.said()
+        result |= then()
     finally:
         workbench.end()
     if said["display_ms"]["count"] == 0:
@@ -86,14 +88,18 @@ def topics_round(display, robots, crowd):
     with Programs(display.folder) as programs:
         if crowd:
             expect("registered", programs.start("crowd", [building.SYSTEM_PYTHON, CROWD, *crowd]))
-        return with_robots(display, robots, 1, programs, ruics)
+        return with_robots(display, robots, 1, programs, ruics, asked=bool(crowd))
 
 
-def with_robots(display, robots, count, programs, ruics):
+def with_robots(display, robots, count, programs, ruics, asked=False):
     configuration = display.folder / "robots.yaml"
     configuration.write_text("ruics:\n" + ruics)
     expect("ready", programs.start("robots", [*robots, count]))
-    return measured(Workbench(display, configuration, {"ROS_MASTER_URI": programs.environment["ROS_MASTER_URI"]}))
+    environment = {"ROS_MASTER_URI": programs.environment["ROS_MASTER_URI"]}
+    if not asked:
+        return measured(Workbench(display, configuration, environment))
+    workbench = Workbench(display, configuration, environment, "-scriptsocket")
+    return measured(workbench, lambda: answers.of(workbench, display))
 
 
 def expect(word, program):

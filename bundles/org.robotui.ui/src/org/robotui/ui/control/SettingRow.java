@@ -146,7 +146,7 @@ final class SettingRow {
   private void tell() {
     Optional<String> problem = node.problem();
     note.setForeground(theme.color(problem.isPresent() ? Role.BAD : Role.DIM));
-    note.setText(problem.orElse(node.isItem() ? "" : value.setting().help()).replace("&", "&&"));
+    note.setText(problem.orElse(node.isItem() ? "" : HelpText.of(value.setting())).replace("&", "&&"));
     Boxes.seen(note, !note.getText().isEmpty());
     editor.requestLayout();
   }

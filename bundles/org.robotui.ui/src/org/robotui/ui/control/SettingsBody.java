@@ -93,7 +93,7 @@ final class SettingsBody {
 
   private void line(SettingNode node, String name, int depth, Optional<SettingNode> list) {
     Label label = cells.name(depth, name);
-    label.setToolTipText(node.setting().help().replace("&", "&&"));
+    label.setToolTipText(HelpText.of(node.setting()).replace("&", "&&"));
     boolean menu = hasMenu(node, list);
     Composite line = cells.editor(menu ? 2 : 1);
     rows.put(node, new SettingRow(cells.part(line), theme, node, () -> typed(node)));
@@ -125,7 +125,8 @@ final class SettingsBody {
     List<FormProblem> problems = node.problems("");
     boolean telling = !problems.isEmpty() && !open;
     String words = node.isItem() ? open ? "" : node.summary()
-        : node.summary().isEmpty() ? node.setting().help() : node.summary() + "  \u00b7  " + node.setting().help();
+        : node.summary().isEmpty() ? HelpText.of(node.setting())
+            : node.summary() + "  \u00b7  " + HelpText.of(node.setting());
     Optional<String> own = node.problem();
     cells.note(head.getParent(), telling ? problems.getFirst().sentence() : own.orElse(words),
         telling || own.isPresent() ? Role.BAD : Role.DIM);

@@ -121,7 +121,7 @@ public final class WorkbenchApplication implements IApplication {
     return failure instanceof UnsatisfiedLinkError
         ? "RobotUI cannot open a window: GTK 3 is not installed, or not wholly (" + missingLibrary(failure)
             + "). On Debian and Ubuntu it is the package libgtk-3-0 or libgtk-3-0t64"
-        : "RobotUI cannot open a window: there is no display, or it does not let us in (DISPLAY is "
+        : "RobotUI cannot open a window: there is no display, or it refuses the connection (DISPLAY is "
             + Optional.ofNullable(System.getenv("DISPLAY")).map(name -> "'" + name + "'").orElse("not set")
             + "). Start it from a desktop session, through ssh -X or by xvfb-run -a, or see it as text: ./robotui run --text";
   }

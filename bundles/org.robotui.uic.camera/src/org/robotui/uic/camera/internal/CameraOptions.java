@@ -52,7 +52,7 @@ record CameraOptions(boolean smooth, ZoomMode zoom, Rendering rendering, boolean
             "How large the picture is: all of it, the whole view, or a pixel on a pixel."),
         Setting.of(COLOR_MAP, new ValueType.Choice(maps), AUTO,
             "The colours of pictures of numbers; 'auto' is grey for brightness and turbo else."),
-        Setting.of(REVERSED, FLAG, false, "Give the smallest number the last colour."),
+        Setting.of(REVERSED, FLAG, false, "Reverse the colour map: the smallest number gets the last colour."),
         Setting.of(RANGE, new ValueType.Choice(List.of(AUTO, FIXED)), AUTO,
             "Whether the colours follow the numbers or span range_min to range_max."),
         Setting.of(RANGE_MIN, NUMBER, 0.0, "The number of the first colour, metres for depth."),

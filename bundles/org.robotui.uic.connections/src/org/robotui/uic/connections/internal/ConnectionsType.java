@@ -24,7 +24,7 @@ public final class ConnectionsType implements UicType {
 
   private static final Schema SCHEMA = Schema.of(
       Setting.of(PROBLEMS, new ValueType.Flag(), false, "Whether only what is wrong, or must be decided, is listed."),
-      Setting.of(ROBOT, new ValueType.Text(), "", "The only RUIC that is listed, by its name; empty for all."));
+      Setting.of(ROBOT, new ValueType.Text(), "", "The name of the one robot UI that is listed; empty for all."));
 
   private static final Descriptor DESCRIPTOR = new Descriptor("connections", "Connections",
       "Shows every link of every robot, and why each port is connected, refused, pending or ambiguous.",

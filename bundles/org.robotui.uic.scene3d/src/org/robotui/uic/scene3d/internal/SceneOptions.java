@@ -66,7 +66,7 @@ public final class SceneOptions {
       Setting.of("z", NUMBER, 0.0, "What it looks at."),
       Setting.of("distance", NUMBER, 10.0, "From there to the eye."),
       Setting.of("yaw", ANGLE, 0.0, "Where it looks."),
-      Setting.of("pitch", ANGLE, 0.6, "How far it looks down."));
+      Setting.of("pitch", ANGLE, 0.6, "Angle below the horizon, down is positive."));
 
   private static final Schema SCHEMA = Schema.of(
       Setting.of(DISPLAYS, DisplayEntry.list("display", "laserscan"), List.of(),

@@ -59,13 +59,14 @@ public final class SoundType implements UicType {
   private static final double MOST = 1e12;
 
   static final Schema ALERT = Schema.of(
-      Setting.optional(NAME, new ValueType.Text(), "What users read; without it, the condition."),
+      Setting.optional(NAME, new ValueType.Text(), "The name that users see; without it, the condition."),
       Setting.required(WHEN, new ValueType.Text(TextRule.readBy("a condition", text -> TimedCondition.parse(text, 0))),
           "For example battery charge < 0.2, scan stale, link lost, diagnostics >= ERROR, log >= ERROR, or several with "
               + "and, or, not, brackets, + - * /, age(scan) and rate(scan)."),
       Setting.of(HYSTERESIS, new ValueType.Num(0, MOST, ""), 0.0,
           "By how much a number must come back for the alert to end, in its unit."),
-      Setting.of(FOR, new ValueType.Num(0, 3600, "s"), 0.0, "How long the condition must hold before."),
+      Setting.of(FOR, new ValueType.Num(0, 3600, "s"), 0.0,
+          "How long the condition must hold before the alert begins."),
       Setting.of(SOUND,
           new ValueType.WithPlace(
               new ValueType.Text(TextRule.readBy("beep, chime, alarm, or the path of a .wav file", Sound::parse))),

@@ -20,7 +20,7 @@ public final class TeamType implements UicType {
   private static final double RATE_HZ = 5;
   private static final Schema SCHEMA = Schema.of(
       Setting.of(LEFT_OUT, new ValueType.ListOf(new ValueType.Text()), List.of(),
-          "Robots that are none, such as a server of maps."),
+          "Names under 'rfics' that are no robots, such as a map server."),
       Setting.of(TASK, new ValueType.Text(), "move_base/status",
           "The end of the names of streams that tell what robots do."));
 

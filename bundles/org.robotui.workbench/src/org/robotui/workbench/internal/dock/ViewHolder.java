@@ -53,10 +53,21 @@ final class ViewHolder extends Composite implements UiContext {
     this.id = id;
     setBackground(theme.color(Role.PANEL));
     setLayout(new FillLayout());
+    // A view may keep what it was given, and so must not keep the window that it was shown in.
+    addListener(SWT.Dispose, e -> title = holder -> {});
   }
 
   String id() {
     return id;
+  }
+
+  String ruicName() {
+    return ruic.name();
+  }
+
+  /** Whether it shows its view, and not why there is none. */
+  boolean runs() {
+    return shown.isPresent();
   }
 
   /** Puts it elsewhere: what it shows goes on. */

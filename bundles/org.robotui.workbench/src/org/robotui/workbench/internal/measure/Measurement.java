@@ -27,10 +27,11 @@ import org.slf4j.LoggerFactory;
 
 /**
  * Measures how the window does for its user, and writes it down every second and at the end: when the first live
- * picture was painted, how long the display thread lets a task wait, what it did in the slowest turns, and what each
- * robot's views had painted. Once the start is over, a thread of its own asks the display for a sign a hundred times a
- * second, each time anew after the last one came; where that takes long, it looks at the stack. It does neither before:
- * that took a quarter of a second of a processor from the start it measured.
+ * picture was painted, how long the display thread lets a task wait, what it did in the slowest turns, what each
+ * robot's views had painted, when each view was seen first, and how soon the search answered. Once the start is over, a
+ * thread of its own asks the display for a sign a hundred times a second, each time anew after the last one came; where
+ * that takes long, it looks at the stack. It does neither before: that took a quarter of a second of a processor from
+ * the start it measured.
  */
 public final class Measurement implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(Measurement.class);
@@ -48,6 +49,7 @@ public final class Measurement implements AutoCloseable {
   private final Path file;
   private final Latencies latencies = new Latencies();
   private final SlowTurns slow = new SlowTurns();
+  private final AnswerTimes answers;
   private final long begun = System.nanoTime();
   private final Map<String, AtomicLong> frames = new ConcurrentSkipListMap<>();
   private final AtomicBoolean dataCame = new AtomicBoolean();
@@ -75,6 +77,7 @@ public final class Measurement implements AutoCloseable {
     this.display = display;
     this.thread = display.getThread();
     this.file = file;
+    answers = new AnswerTimes(display);
     display.addFilter(SWT.Paint, painted);
     subscription = host.listen(new HostListener() {
       @Override
@@ -163,6 +166,7 @@ public final class Measurement implements AutoCloseable {
   public void close() {
     closed = true;
     subscription.close();
+    answers.close();
     LockSupport.unpark(prober);
     write();
   }
@@ -178,16 +182,21 @@ public final class Measurement implements AutoCloseable {
 
   private String json() {
     return String.format(Locale.ROOT,
-        "{\"first_picture_epoch_ms\": %d, \"first_picture_cpu_ms\": %d, \"display_ms\": {\"count\": %d, \"p50\": %.3f, \"p99\": %.3f, \"max\": %.3f}, "
-            + "\"slowest\": [%s], \"frames\": {%s}}%n",
-        firstPictureMillis, firstPictureCpuMillis, latencies.count(), latencies.percentile(0.5),
-        latencies.percentile(0.99), latencies.percentile(1),
-        slow.worst().stream().map(Measurement::json).collect(Collectors.joining(", ")), perRobot());
+        "{\"first_picture_epoch_ms\": %d, \"first_picture_cpu_ms\": %d, \"display_ms\": %s, "
+            + "\"slowest\": [%s], \"frames\": {%s}, \"seen_epoch_ms\": {%s}, \"search_ms\": {\"opening\": %s, \"answering\": %s}}%n",
+        firstPictureMillis, firstPictureCpuMillis, json(latencies),
+        slow.worst().stream().map(Measurement::json).collect(Collectors.joining(", ")), json(frames),
+        json(answers.seen()), json(answers.opening()), json(answers.answering()));
   }
 
-  private String perRobot() {
-    return frames.entrySet().stream().map(e -> quoted(e.getKey()) + ": " + e.getValue())
+  private static String json(Map<String, ? extends Number> numbers) {
+    return numbers.entrySet().stream().map(e -> quoted(e.getKey()) + ": " + e.getValue())
         .collect(Collectors.joining(", "));
+  }
+
+  private static String json(Latencies times) {
+    return String.format(Locale.ROOT, "{\"count\": %d, \"p50\": %.3f, \"p99\": %.3f, \"max\": %.3f}", times.count(),
+        times.percentile(0.5), times.percentile(0.99), times.percentile(1));
   }
 
   private static String json(SlowTurns.Turn turn) {

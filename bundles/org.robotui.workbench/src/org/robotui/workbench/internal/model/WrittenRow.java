@@ -57,7 +57,7 @@ public record WrittenRow(SettingsGroup group, String what, String kind) {
   /** When a change of it holds, as a sentence. */
   public String holds() {
     return switch (group.part()) {
-      case CONNECTIONS, SAFETY, BRIDGES -> "It holds at once.";
+      case CONNECTIONS, SAFETY, BRIDGES -> "It takes effect at once.";
       case INTERFACE -> "The window of the robot asks before the interface is exchanged.";
       case RUIC, VIEW -> "Robot > Restart Robot UI takes it up.";
     };

@@ -194,7 +194,7 @@ public final class ExchangeDialog {
     preview.filter(p -> !p.lines().isEmpty()).ifPresent(p -> matching.show(ExchangeRow.of(p)));
     if (preview.isEmpty() && !applying && model.tried().isEmpty() && form.isFine()) {
       verdict.show(Health.NONE,
-          model.isUnchanged() ? "It runs like this." : "Press Try to see what would become of the connections.");
+          model.isUnchanged() ? "This is what runs now." : "Press Try to see what would become of the connections.");
     }
     preview.ifPresent(this::judge);
     if (applying) {
@@ -227,7 +227,7 @@ public final class ExchangeDialog {
     exchange.setEnabled(!applying && preview.isPresent() && now != Verdict.FAILED);
     exchange.text(switch (now) {
       case READY, FAILED -> "Exchange";
-      case PENDING -> "Exchange unseen";
+      case PENDING -> "Exchange without a trial";
       case INCOMPLETE -> "Go without " + preview.map(p -> p.missing().size()).orElse(0);
     });
     exchange.checked(now == Verdict.READY);

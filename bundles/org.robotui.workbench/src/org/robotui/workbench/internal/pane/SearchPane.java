@@ -93,6 +93,15 @@ public final class SearchPane extends Composite {
     return Stream.of(shell.getChildren()).filter(SearchPane.class::isInstance).map(SearchPane.class::cast).findFirst();
   }
 
+  /** The one that a control belongs to. */
+  public static Optional<SearchPane> around(Control inside) {
+    Control at = inside;
+    while (at != null && !(at instanceof SearchPane)) {
+      at = at.getParent();
+    }
+    return Optional.ofNullable((SearchPane) at);
+  }
+
   /** What is found now, the nearest first. */
   List<SearchEntry> found() {
     return list.rows();
@@ -177,12 +186,7 @@ public final class SearchPane extends Composite {
   }
 
   private boolean isWithin(Control control) {
-    for (Control at = control; at != null; at = at.getParent()) {
-      if (at == this) {
-        return true;
-      }
-    }
-    return false;
+    return around(control).filter(pane -> pane == this).isPresent();
   }
 
   /** What it does at the left, then where it belongs, and its keys at the right. */

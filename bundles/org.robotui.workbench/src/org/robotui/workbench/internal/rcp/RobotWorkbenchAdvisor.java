@@ -120,7 +120,7 @@ public final class RobotWorkbenchAdvisor extends WorkbenchAdvisor {
     String question = "In the last run the bundle " + bundle
         + " kept the window from answering, so that the robots were stopped. Start without it this time?";
     return MessageDialog.open(MessageDialog.QUESTION, PlatformUI.getWorkbench().getWorkbenchWindows()[0].getShell(),
-        "Start without a bundle", question, SWT.NONE, "Start without it", "Use it all the same") == 0;
+        "Start without a bundle", question, SWT.NONE, "Start without it", "Start with it") == 0;
   }
 
   /** Closes dialogs first: one that is open would keep the workbench. */

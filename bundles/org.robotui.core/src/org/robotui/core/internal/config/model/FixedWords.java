@@ -23,10 +23,10 @@ public final class FixedWords {
   public static final Schema INTERFACE = Schema.of(
       Setting.optional("robot", new ValueType.Text(),
           "the robot's name, without it that of the robot UI: frames, safety and the lease are by robot"),
-      Setting.optional("title", new ValueType.Text(), "what users read"));
+      Setting.optional("title", new ValueType.Text(), "the name that users see"));
   /** Of a view. */
   public static final Schema VIEW =
-      Schema.of(Setting.optional("title", new ValueType.Text(), "what users read in place of the view's usual name"));
+      Schema.of(Setting.optional("title", new ValueType.Text(), "the title, in place of the view's usual one"));
 
   /** Faster than any robot: what is above is a mistake, and would be no limit. */
   private static final double FASTEST = 100;

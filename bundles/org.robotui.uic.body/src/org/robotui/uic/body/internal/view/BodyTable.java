@@ -34,7 +34,7 @@ final class BodyTable {
     this.wishes = wishes;
     table = new RowTable<>(parent, theme, List.of(
         Column.<BodyLine>words("Part", BodyTable::indented).weight(2).dot(BodyLine::health).unsearched(),
-        Column.<BodyLine>values("Says", BodyLine::value).weight(3).from(FROM_MIDDLE)
+        Column.<BodyLine>values("Value", BodyLine::value).weight(3).from(FROM_MIDDLE)
             .role(line -> line.depth() == 0 && line.health() == Health.OK ? Role.DIM : Role.TEXT),
         Column.<BodyLine>figures("Age", line -> Figures.ageOfValue(line.age())).width(AGE)
             .role(line -> line.health() == Health.STALE ? Role.WARNING : Role.DIM)),

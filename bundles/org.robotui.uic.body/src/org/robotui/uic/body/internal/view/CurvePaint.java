@@ -13,10 +13,12 @@ import org.robotui.uic.body.internal.model.BodyPast;
 
 /** Paints what a line says, and its numbers over time. Display thread. */
 final class CurvePaint {
-  static final int HEIGHT = 128;
-
+  private static final int HEIGHT = 128;
   private static final int LINE = 20;
   private static final int TOP = 6;
+  /** How high it is where there are no numbers: three lines. */
+  static final int WORDS = 3 * LINE + 2 * TOP;
+
   private static final double LEAST_SPAN = 1;
 
   private final Theme theme;
@@ -25,12 +27,20 @@ final class CurvePaint {
     this.theme = theme;
   }
 
+  static int height(BodyPast past) {
+    return hasCurve(past) ? HEIGHT : WORDS;
+  }
+
+  private static boolean hasCurve(BodyPast past) {
+    return past.curve().size() > 1;
+  }
+
   void paint(GC gc, Rectangle area, BodyPast past) {
     int left = area.x + Theme.EDGE;
     int width = area.width - 2 * Theme.EDGE;
     text(gc, left, area.y + TOP, width, past.line().title(), Face.BODY_STRONG, Role.TEXT);
     text(gc, left, area.y + TOP + LINE, width, past.line().value(), Face.BODY, Role.TEXT);
-    if (past.curve().size() < 2 || width <= 0) {
+    if (!hasCurve(past) || width <= 0) {
       text(gc, left, area.y + TOP + 2 * LINE, width, "came " + Figures.ageOfValue(past.line().age()) + " ago",
           Face.SMALL, Role.DIM);
       return;

@@ -29,12 +29,12 @@ final class PastPane {
     Composite root = Boxes.panel(parent, theme, 2);
     painter = new CurvePaint(theme);
     head = new PaintedCanvas(root, theme, (gc, area) -> past.ifPresent(p -> painter.paint(gc, area, p)));
-    head.setLayoutData(Boxes.line(CurvePaint.HEIGHT));
+    head.setLayoutData(Boxes.line(CurvePaint.WORDS));
     new QuietButton(root, theme, close).icon(Icon.CLOSE).hint("Close the history (Esc)")
         .setLayoutData(new GridData(SWT.END, SWT.TOP, false, false));
     moments = new RowTable<>(root, theme, List.of(
-        Column.<BodyPast.Moment>figures("Since", moment -> Figures.age(moment.ago())).width(AGO).role(Role.DIM),
-        Column.<BodyPast.Moment>values("Said", BodyPast.Moment::value).weight(1)), moment -> moment);
+        Column.<BodyPast.Moment>figures("Age", moment -> Figures.age(moment.ago())).width(AGO).role(Role.DIM),
+        Column.<BodyPast.Moment>values("Value", BodyPast.Moment::value).weight(1)), moment -> moment);
     moments.list().named("History");
     moments.control().setLayoutData(new GridData(SWT.FILL, SWT.FILL, true, true, 2, 1));
     moments.list().control().addListener(SWT.KeyDown, e -> {
@@ -46,6 +46,11 @@ final class PastPane {
 
   void show(BodyPast next) {
     past = Optional.of(next);
+    int height = CurvePaint.height(next);
+    if (height != ((GridData) head.getLayoutData()).heightHint) {
+      head.setLayoutData(Boxes.line(height));
+      head.getParent().layout();
+    }
     head.requestPaint();
     moments.show(next.moments());
   }

@@ -13,6 +13,9 @@ import java.util.Optional;
  * @param places by column, in the order shown
  */
 public record Grid(Map<JointColumn, Place> places) {
+  /** Names get at most this part of the table. */
+  private static final int MOST_FOR_NAMES = 3;
+
   /**
    * From where to where a column goes.
    *
@@ -25,29 +28,43 @@ public record Grid(Map<JointColumn, Place> places) {
     }
   }
 
-  /** Fits the columns into a width; the target has a column only while the user drives. */
-  public static Grid of(int width, boolean driving) {
+  /**
+   * Fits the columns into a width; the target has a column only while the user drives.
+   *
+   * @param width of the table, points
+   * @param driving whether the user drives
+   * @param names what the longest name needs, points; columns of less weight go rather than names are cut
+   */
+  public static Grid of(int width, boolean driving, int names) {
     List<JointColumn> columns = new ArrayList<>(List.of(JointColumn.values()));
     if (!driving) {
       columns.remove(JointColumn.TARGET);
     }
-    while (least(columns, width) > width && columns.stream().anyMatch(c -> c.sacrifice() > 0)) {
-      columns.remove(columns.stream().max(Comparator.comparingInt(JointColumn::sacrifice)).orElseThrow());
+    int least = JointColumn.NAME.width(width);
+    int wanted = Math.clamp(names, least, Math.max(least, width / MOST_FOR_NAMES));
+    while (columns.stream().anyMatch(c -> c.sacrifice() > 0)) {
+      JointColumn next = columns.stream().max(Comparator.comparingInt(JointColumn::sacrifice)).orElseThrow();
+      int more = next.sacrifice() > JointColumn.POSITIONS ? wanted - least : 0;
+      if (least(columns, width) + more <= width) {
+        break;
+      }
+      columns.remove(next);
     }
-    return new Grid(spread(columns, width));
+    return new Grid(spread(columns, width, wanted - least));
   }
 
   private static int least(List<JointColumn> columns, int room) {
     return columns.stream().mapToInt(column -> column.width(room)).sum();
   }
 
-  private static Map<JointColumn, Place> spread(List<JointColumn> columns, int room) {
-    int spare = Math.max(0, room - least(columns, room));
+  private static Map<JointColumn, Place> spread(List<JointColumn> columns, int room, int moreForNames) {
+    int names = Math.clamp(room - least(columns, room), 0, moreForNames);
+    int spare = Math.max(0, room - least(columns, room) - names);
     int weights = columns.stream().mapToInt(JointColumn::weight).sum();
     Map<JointColumn, Place> places = new EnumMap<>(JointColumn.class);
     int left = 0;
     for (JointColumn column : columns) {
-      int width = column.width(room) + spare * column.weight() / weights;
+      int width = column.width(room) + spare * column.weight() / weights + (column == JointColumn.NAME ? names : 0);
       places.put(column, new Place(left, width));
       left += width;
     }

@@ -35,6 +35,9 @@ public enum JointColumn {
   /** Commands that were cut or refused. */
   COUNTS("Cut / ref.", 84, 0, 9, Comparator.comparingLong(r -> r.state().clamped() + r.state().rejected()));
 
+  /** What is sacrificed no sooner than this tells where a joint is, which matters more than its whole name. */
+  static final int POSITIONS = 2;
+
   private static final int WIDEST_RANGE = 280;
 
   private final String title;

@@ -122,6 +122,7 @@ public final class JointsSurface implements ViewSurface, TableHands.Deeds {
     context.note(now.look().note());
     bar.show(now.look());
     look.drivable(now.look().drivable());
+    look.names(list.control(), now.look().joints().byName().keySet());
     look.grid(list.control().getSize().x, now.look().drive().driving());
     headings.redraw();
     list.show(now.lines());

@@ -1,11 +1,13 @@
 package org.robotui.uic.jointcontrol.internal.view;
 
+import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.graphics.Color;
 import org.eclipse.swt.graphics.GC;
 import org.eclipse.swt.graphics.Rectangle;
+import org.eclipse.swt.widgets.Control;
 import org.robotui.ui.Face;
 import org.robotui.ui.Health;
 import org.robotui.ui.HealthDot;
@@ -33,7 +35,9 @@ final class TableLook implements RowLook<JointLine> {
   private final Theme theme;
   private final RowWords text;
   private final RangeBar range;
-  private Grid grid = Grid.of(0, false);
+  private Grid grid = Grid.of(0, false, 0);
+  private Set<String> measured = Set.of();
+  private int names;
   private int width;
   private boolean driving;
   private boolean drivable;
@@ -49,9 +53,21 @@ final class TableLook implements RowLook<JointLine> {
     if (width != room || driving != withTarget) {
       width = room;
       driving = withTarget;
-      grid = Grid.of(room, withTarget);
+      grid = Grid.of(room, withTarget, names);
     }
     return grid;
+  }
+
+  /** Makes room for the names of all joints, also of those that are not listed now: columns stay where they are. */
+  void names(Control in, Set<String> joints) {
+    if (!measured.equals(joints)) {
+      measured = Set.copyOf(joints);
+      GC gc = new GC(in);
+      gc.setFont(theme.font(Face.BODY));
+      names = joints.stream().mapToInt(name -> gc.textExtent(name).x).max().orElse(0) + DOT + 2 * PADDING;
+      gc.dispose();
+      grid = Grid.of(width, driving, names);
+    }
   }
 
   /** Whether joints have knobs to be dragged. */

@@ -124,12 +124,27 @@ class TableModelTest {
 
   @Test
   void whatMattersLeastGoesFirst() {
-    assertEquals(JointColumn.values().length, Grid.of(1600, true).places().size());
-    Grid narrow = Grid.of(340, false);
+    assertEquals(JointColumn.values().length, Grid.of(1600, true, 0).places().size());
+    Grid narrow = Grid.of(340, false, 0);
     assertEquals(List.of(JointColumn.NAME, JointColumn.RANGE, JointColumn.POSITION),
         List.copyOf(narrow.places().keySet()));
     Grid.Place last = narrow.places().get(JointColumn.POSITION);
     assertTrue(last.left() + last.width() <= 340);
+  }
+
+  @Test
+  void longNamesAreWholeAndOtherColumnsGoFirst() {
+    Grid usual = Grid.of(760, false, 0);
+    Grid named = Grid.of(760, false, 230);
+
+    assertTrue(usual.places().get(JointColumn.NAME).width() < 230);
+    assertTrue(named.places().get(JointColumn.NAME).width() >= 230);
+    assertTrue(usual.find(JointColumn.VELOCITY).isPresent());
+    assertEquals(Optional.empty(), named.find(JointColumn.VELOCITY));
+    assertTrue(Grid.of(1600, true, 4000).places().get(JointColumn.NAME).width() < 700);
+    Grid narrow = Grid.of(380, false, 230);
+    assertTrue(narrow.find(JointColumn.POSITION).isPresent());
+    assertEquals(380, narrow.places().values().stream().mapToInt(Grid.Place::width).sum(), 2);
   }
 
   @Test

@@ -36,7 +36,7 @@ public final class PluginsSurface implements ViewSurface {
   private static final int LEAST_HEIGHT = 300;
   private static final int SHARE_BESIDE = 58;
   private static final int SHARE_ABOVE = 42;
-  private static final String WARNING = "No real-time rights: no time is guaranteed";
+  private static final String WARNING = "No real-time rights: timing is not guaranteed";
 
   private final UiContext context;
   private final PluginsModel model;

@@ -110,8 +110,7 @@ final class PosturePlayer {
       requests.add(new PluginRequest(wishes.plugin(), Verb.STOP, ""));
     }
     requests.add(new PluginRequest(wishes.guide(), wanted ? Verb.START : Verb.STOP, ""));
-    say(Health.NONE, wanted ? "Joints can be moved by hand where hardware or simulation let them; store what they reach"
-        : "");
+    say(Health.NONE, wanted ? "Move the joints by hand and store what they reach" : "");
     next(run);
   }
 

@@ -43,8 +43,9 @@ final class Obstacles {
           .orElse("Asking " + key.robot() + "\u2026");
     }
     if (described.description().get().shape().isEmpty()) {
-      return "Its form is not known: " + Optional.ofNullable(described.description().get().facts().get("definition"))
-          .orElse("there is no definition of " + (described.type().isEmpty() ? "its type" : described.type()));
+      return "The definition of its type is not known: "
+          + Optional.ofNullable(described.description().get().facts().get("definition"))
+              .orElse("there is no definition of " + (described.type().isEmpty() ? "its type" : described.type()));
     }
     return speaker.obstacle(key.robot()).map(why -> "Nothing can be published here: " + why).orElse("");
   }

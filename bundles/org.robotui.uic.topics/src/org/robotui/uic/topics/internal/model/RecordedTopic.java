@@ -25,7 +25,7 @@ import org.robotui.data.record.DynamicRecord;
 final class RecordedTopic {
   /** Of longer messages the first bytes are shown. */
   static final int MOST_BYTES = 1 << 16;
-  private static final String LIVE = "All messages are known of recordings only; Echo lists those that come.";
+  private static final String LIVE = "All messages are listed for recordings only; Echo lists those that arrive.";
 
   private final Input<Data> input;
   private final Executor worker;

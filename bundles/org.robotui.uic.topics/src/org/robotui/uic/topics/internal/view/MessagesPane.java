@@ -81,7 +81,7 @@ final class MessagesPane {
     stack.setLayout(pages);
     fields = new RecordTree(stack, theme);
     changes = new RowTable<>(stack, theme, changeColumns(), FieldChange::path);
-    changes.list().named("What is another than in the message before");
+    changes.list().named("Changes since the message before");
     bytes = new RowTable<>(stack, theme, BytesLines.columns(), Line::offset);
     bytes.list().named("Bytes of the message");
     turn(Page.FIELDS);

@@ -31,9 +31,11 @@ final class TopicColumns {
             .hint(row -> row.entry().stream().isPresent() ? "Measure its rate (M)" : ""),
         name("Topic"),
         type().from(360),
-        count("Pub", row -> row.counts().publishers().orElse(-1), "Who publishes it, known once it was selected")
+        count("Pub", row -> row.counts().publishers().orElse(-1),
+            "Number of publishers; known once the topic was selected")
             .from(620),
-        count("Sub", row -> row.counts().subscribers().orElse(-1), "Who subscribes it, known once it was selected")
+        count("Sub", row -> row.counts().subscribers().orElse(-1),
+            "Number of subscribers; known once the topic was selected")
             .from(620),
         figure("Rate", 76, TopicText::rate, Measure::hertz).role(TopicColumns::role),
         figure("Jitter", 74, m -> TopicText.period(m.jitter()), Measure::jitter).from(760),
@@ -46,9 +48,11 @@ final class TopicColumns {
 
   static List<Column<TopicRow>> nodes() {
     return List.of(name("Node"),
-        count("Publishes", row -> row.counts().publishers().orElse(-1), "How many topics, known once it was selected")
+        count("Publishes", row -> row.counts().publishers().orElse(-1),
+            "How many topics it publishes; known once the node was selected")
             .width(86).from(360),
-        count("Subscribes", row -> row.counts().subscribers().orElse(-1), "How many topics, known once it was selected")
+        count("Subscribes", row -> row.counts().subscribers().orElse(-1),
+            "How many topics it subscribes to; known once the node was selected")
             .width(86).from(360));
   }
 

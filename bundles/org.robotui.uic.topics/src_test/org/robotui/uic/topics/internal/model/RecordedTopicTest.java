@@ -140,7 +140,8 @@ class RecordedTopicTest {
   void whatCannotBeListedIsExplained() {
     context.input(TopicsPorts.ALL).candidates(List.of(new Candidate(MODE, "DynamicRecord")));
     assertSame(MessageListing.NOTHING, topic.follow(Optional.empty(), ""));
-    assertTrue(topic.follow(Optional.of(MODE), "").obstacle().startsWith("All messages are known of recordings only"));
+    assertTrue(
+        topic.follow(Optional.of(MODE), "").obstacle().startsWith("All messages are listed for recordings only"));
     assertEquals("Nobody publishes it.", topic.follow(Optional.empty(), "Nobody publishes it.").obstacle());
     record();
     history.fail("it is gone");
