@@ -112,7 +112,11 @@ public final class Ros2Codec<T> {
    * @return the codec
    */
   public static Ros2Codec<ByteBuffer> raw(TypeName name, Optional<TypeHash> hash) {
-    return new Ros2Codec<>(name, hash, ByteBuffer::asReadOnlyBuffer, ByteBuffer::duplicate);
+    return new Ros2Codec<>(name, hash, ByteBuffer::asReadOnlyBuffer, Ros2Codec::copy);
+  }
+
+  private static ByteBuffer copy(ByteBuffer bytes) {
+    return ByteBuffer.allocate(bytes.remaining()).put(bytes.duplicate()).flip();
   }
 
   /**
@@ -148,7 +152,7 @@ public final class Ros2Codec<T> {
    * Encodes a message.
    *
    * @param value the value
-   * @return the whole message with its encapsulation
+   * @return the whole message with its encapsulation, in bytes of its own
    */
   public ByteBuffer encode(T value) {
     return encoder.apply(value);
