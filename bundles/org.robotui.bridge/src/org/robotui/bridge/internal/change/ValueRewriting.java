@@ -50,9 +50,6 @@ public record ValueRewriting(FrameRenaming frames, StampMoving stamps) {
 
   /** The value for the other robot. */
   public Data of(Data value, Optional<Stamp> stamp) {
-    if (isNone()) {
-      return value;
-    }
     return value instanceof DynamicRecord record ? of(record, stamp) : (Data) rewritten(value);
   }
 
