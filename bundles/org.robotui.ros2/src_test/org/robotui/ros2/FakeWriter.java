@@ -34,11 +34,6 @@ final class FakeWriter extends FakeEndpoint implements Writer {
     return write(payload, Optional.of(related));
   }
 
-  @Override
-  public OptionalLong writeKept(ByteBuffer payload) {
-    return write(payload, Optional.empty());
-  }
-
   private synchronized OptionalLong write(ByteBuffer payload, Optional<SampleIdentity> related) {
     Sample sample = new Sample(FakeDomain.copy(payload), Sample.Kind.ALIVE, info().guid(), ++sequence,
         System.currentTimeMillis() * 1_000_000, related, System.nanoTime());

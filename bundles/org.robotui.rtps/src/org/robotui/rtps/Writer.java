@@ -39,7 +39,9 @@ public interface Writer extends Endpoint {
    * @return the number of the sample, or empty if nothing was written
    * @throws IllegalArgumentException if it is longer than a writer may send
    */
-  OptionalLong writeKept(ByteBuffer payload);
+  default OptionalLong writeKept(ByteBuffer payload) {
+    return write(payload);
+  }
 
   /**
    * Blocks until all reliable readers have acknowledged what was written before this call.
