@@ -105,18 +105,15 @@ public final class Ros2Codec<T> {
   }
 
   /**
-   * Hands the bytes through, with their encapsulation.
+   * Hands the bytes through, with their encapsulation. Those that are published must not change again: a publisher may
+   * keep them for subscribers that ask for them later.
    *
    * @param name the type's name
    * @param hash its sum, if it is known
    * @return the codec
    */
   public static Ros2Codec<ByteBuffer> raw(TypeName name, Optional<TypeHash> hash) {
-    return new Ros2Codec<>(name, hash, ByteBuffer::asReadOnlyBuffer, Ros2Codec::copy);
-  }
-
-  private static ByteBuffer copy(ByteBuffer bytes) {
-    return ByteBuffer.allocate(bytes.remaining()).put(bytes.duplicate()).flip();
+    return new Ros2Codec<>(name, hash, ByteBuffer::asReadOnlyBuffer, ByteBuffer::duplicate);
   }
 
   /**
@@ -152,7 +149,7 @@ public final class Ros2Codec<T> {
    * Encodes a message.
    *
    * @param value the value
-   * @return the whole message with its encapsulation, in bytes of its own
+   * @return the whole message with its encapsulation; nobody may change it
    */
   public ByteBuffer encode(T value) {
     return encoder.apply(value);
