@@ -3,7 +3,7 @@ import statistics
 
 from spread import interval
 
-OURS = "robotui"
+OURS, DIRECT = "robotui", "no bridge"
 VALUES = {
     "small messages/s": ("small", lambda r: r["count"] / r["seconds"]),
     "1 MiB images/s": ("image", lambda r: r["count"] / r["seconds"]),
@@ -21,7 +21,7 @@ def figure(name, **values):
 
 def compared(way, name, ours, peer, peer_name):
     ratios = [a / b if b else float("nan") for a, b in zip(ours, peer)]     # of neighbours in time, that the machine treats more alike
-    latency, images = name.startswith("latency p50"), name.startswith("1 MiB") and peer_name == "no bridge"
+    latency, images = name.startswith("latency p50"), name.startswith("1 MiB") and peer_name == DIRECT
     middle, ratio = statistics.median(ours), statistics.median(ratios)
     return figure(f"{way}: {name}", ours=round(middle, 2), peer=round(statistics.median(peer), 2), peer_name=peer_name, ratio=round(ratio, 3),
                   goal=f"< {LATENCY_US} us" if latency else f">= {IMAGES}" if images else None,
@@ -35,7 +35,7 @@ def figures(results):
     for way, bridges in results.items():
         for peer in (name for name in bridges if name != OURS):
             for name, (kind, value) in VALUES.items():
-                if kind not in bridges[peer] or (peer == "no bridge" and name.startswith("CPU")):
+                if kind not in bridges[peer] or (peer == DIRECT and name.startswith("CPU")):
                     continue
                 both = [(value(bridges[OURS][kind][i]), value(bridges[peer][kind][i])) for i in sorted(bridges[peer][kind])]
                 made.append(compared(way, name, *zip(*both), peer))

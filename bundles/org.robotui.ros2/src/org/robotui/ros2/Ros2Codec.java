@@ -105,7 +105,8 @@ public final class Ros2Codec<T> {
   }
 
   /**
-   * Hands the bytes through, with their encapsulation.
+   * Hands the bytes through, with their encapsulation. Those that are published must not change again: a publisher may
+   * keep them for subscribers that ask for them later.
    *
    * @param name the type's name
    * @param hash its sum, if it is known
@@ -148,7 +149,7 @@ public final class Ros2Codec<T> {
    * Encodes a message.
    *
    * @param value the value
-   * @return the whole message with its encapsulation
+   * @return the whole message with its encapsulation; nobody may change it
    */
   public ByteBuffer encode(T value) {
     return encoder.apply(value);

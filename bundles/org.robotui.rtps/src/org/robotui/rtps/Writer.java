@@ -32,6 +32,18 @@ public interface Writer extends Endpoint {
   OptionalLong write(ByteBuffer payload, SampleIdentity related);
 
   /**
+   * Writes a sample as {@link #write(ByteBuffer)} does, without copying it: for large ones.
+   *
+   * @param payload the bytes, from position to limit; whoever has them must not change them again, as the history keeps
+   * them
+   * @return the number of the sample, or empty if nothing was written
+   * @throws IllegalArgumentException if it is longer than a writer may send
+   */
+  default OptionalLong writeKept(ByteBuffer payload) {
+    return write(payload);
+  }
+
+  /**
    * Blocks until all reliable readers have acknowledged what was written before this call.
    *
    * @param timeout no longer than this

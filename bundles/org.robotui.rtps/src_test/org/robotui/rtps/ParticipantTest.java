@@ -23,7 +23,7 @@ class ParticipantTest {
 
   /** Not that of another run of these tests on the same machine. */
   private static final int DOMAIN = 40 + (int) (ProcessHandle.current().pid() % 50);
-  private static final Duration SOON = Duration.ofSeconds(10);
+  private static final Duration SOON = Duration.ofSeconds(30);
   private static final Qos RELIABLE = Qos.reliable(100);
 
   private Participant one;
@@ -99,6 +99,34 @@ class ParticipantTest {
     awaitCount(heard, 5);
     for (int i = 0; i < 5; i++) {
       assertEquals(i + text, Heard.text(heard.samples().get(i).payload()));
+    }
+  }
+
+  @Test
+  void whatAWriterKeepsComesAsIfItHadBeenCopied() throws InterruptedException {
+    Heard heard = new Heard();
+    Heard near = new Heard();
+    Writer writer = writer(one, RELIABLE);
+    Reader reader = reader(other, RELIABLE, heard);
+    awaitMatched(reader, reader(one, RELIABLE, near));
+    Heard.await(SOON, () -> writer.matched().size() == 2, () -> "not matched with both: " + writer.matched());
+    List<Integer> sizes = List.of(12, 70_000, 1_000_000); // of which none has to be filled up
+    for (int size : sizes) {
+      ByteBuffer around = ByteBuffer.allocate(size + 20).put(12, (byte) 1).put(size + 10, (byte) 2);
+      ByteBuffer part = around.position(11).limit(size + 11);
+      writer.writeKept(part.asReadOnlyBuffer());
+      assertEquals(11, part.position());
+    }
+    awaitCount(heard, 3);
+    awaitCount(near, 3);
+    for (Heard each : List.of(heard, near)) {
+      for (Sample sample : each.samples()) {
+        ByteBuffer payload = sample.payload();
+        ByteBuffer expected = ByteBuffer.allocate(payload.remaining());
+        expected.put(1, (byte) 1).put(payload.remaining() - 1, (byte) 2);
+        assertEquals(expected, payload);
+      }
+      assertEquals(sizes, each.samples().stream().map(sample -> sample.payload().remaining()).toList());
     }
   }
 

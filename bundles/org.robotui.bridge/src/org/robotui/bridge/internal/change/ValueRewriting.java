@@ -2,6 +2,7 @@ package org.robotui.bridge.internal.change;
 
 import java.lang.reflect.Constructor;
 import java.lang.reflect.InvocationTargetException;
+import java.lang.reflect.Method;
 import java.lang.reflect.RecordComponent;
 import java.util.List;
 import java.util.Optional;
@@ -19,6 +20,28 @@ import org.robotui.data.record.DynamicRecord;
  */
 public record ValueRewriting(FrameRenaming frames, StampMoving stamps) {
   private static final String DATA = "org.robotui.data";
+
+  /** What comes of a class alone; asking it anew for each value would cost far more than the value. */
+  private static final ClassValue<Form> FORMS = new ClassValue<>() {
+    @Override
+    protected Form computeValue(Class<?> type) {
+      return Form.of(type);
+    }
+  };
+
+  /** What a record consists of, and how another one is made. */
+  private record Form(List<Method> parts, Constructor<?> maker) {
+
+    static Form of(Class<?> type) {
+      List<RecordComponent> components = List.of(type.getRecordComponents());
+      try {
+        return new Form(components.stream().map(RecordComponent::getAccessor).toList(),
+            type.getDeclaredConstructor(components.stream().map(RecordComponent::getType).toArray(Class<?>[]::new)));
+      } catch (NoSuchMethodException e) {
+        throw new IllegalStateException("a data type is no public record: " + type.getName(), e);
+      }
+    }
+  }
 
   /** Whether a message stays what it is. */
   public boolean isNone() {
@@ -49,19 +72,16 @@ public record ValueRewriting(FrameRenaming frames, StampMoving stamps) {
   }
 
   private Record rewritten(Record record) {
-    RecordComponent[] components = record.getClass().getRecordComponents();
-    Class<?>[] types = new Class<?>[components.length];
-    Object[] values = new Object[components.length];
+    Form form = FORMS.get(record.getClass());
+    Object[] values = new Object[form.parts().size()];
     boolean changed = false;
     try {
-      for (int i = 0; i < components.length; i++) {
-        Object before = components[i].getAccessor().invoke(record);
-        types[i] = components[i].getType();
+      for (int i = 0; i < values.length; i++) {
+        Object before = form.parts().get(i).invoke(record);
         values[i] = rewritten(before);
         changed |= !values[i].equals(before);
       }
-      Constructor<? extends Record> constructor = record.getClass().getDeclaredConstructor(types);
-      return changed ? constructor.newInstance(values) : record;
+      return changed ? (Record) form.maker().newInstance(values) : record;
     } catch (InvocationTargetException e) {
       throw new IllegalArgumentException(
           record.getClass().getSimpleName() + " cannot have other frames: " + e.getCause().getMessage(), e);

@@ -1,5 +1,6 @@
 package org.robotui.ros2.internal.link;
 
+import java.nio.ByteBuffer;
 import java.time.Duration;
 import java.util.List;
 import java.util.Set;
@@ -19,6 +20,9 @@ import org.robotui.rtps.Writer;
  * @param <T> the Java value of a message
  */
 public final class PublisherLink<T> implements Ros2Publisher<T> {
+
+  /** What is longer is not copied; shorter ones would keep a buffer that may be far longer than they are. */
+  private static final int LARGE = 16 << 10;
 
   private final Ends ends;
   private final Ros2Name topic;
@@ -49,7 +53,8 @@ public final class PublisherLink<T> implements Ros2Publisher<T> {
     if (qos.durability() == Durability.VOLATILE && writer.matched().isEmpty()) {
       return true;
     }
-    return writer.write(codec.encode(message)).isPresent();
+    ByteBuffer bytes = codec.encode(message);
+    return (bytes.remaining() < LARGE ? writer.write(bytes) : writer.writeKept(bytes)).isPresent();
   }
 
   @Override

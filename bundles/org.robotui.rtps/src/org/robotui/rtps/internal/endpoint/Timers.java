@@ -54,7 +54,7 @@ public final class Timers {
   public final class Timer implements Comparable<Timer> {
     private final Task task;
     private final long number;
-    private long due = NEVER;
+    private volatile long due = NEVER; // written with the lock held
     private boolean cancelled;
 
     private Timer(Task task, long number) {
@@ -64,6 +64,9 @@ public final class Timers {
 
     /** Calls the task no later than at this time. */
     public void wake(long at) {
+      if (at >= due) {
+        return; // most of what comes wakes nobody sooner, and needs no lock to find that out
+      }
       lock.lock();
       try {
         if (at < due && !cancelled) {

@@ -113,10 +113,13 @@ final class DatagramInlet implements MessageHandler {
   private void data(Guid writer, Submessage.Data data, long time) {
     if (data.writer().equals(BuiltIn.PARTICIPANT_WRITER)) {
       announced(writer.prefix(), data);
-    } else if (!switchboard.listening(writer).isEmpty()) {
+      return;
+    }
+    List<ReaderPort> listening = switchboard.listening(writer);
+    if (!listening.isEmpty()) {
       qos(writer, data.inlineQos()).ifPresent(qos -> {
         Change change = new Change(data.sequence(), kind(qos), copy(data.payload()), time, qos.related(), qos.key());
-        toReaders(writer, data.reader(), core -> core.data(writer, change));
+        toReaders(listening, writer, data.reader(), core -> core.data(writer, change));
       });
     }
   }
@@ -152,18 +155,24 @@ final class DatagramInlet implements MessageHandler {
   }
 
   private void fragment(Guid writer, Submessage.DataFrag part, long time) {
-    if (!switchboard.listening(writer).isEmpty()) {
+    List<ReaderPort> listening = switchboard.listening(writer);
+    if (!listening.isEmpty()) {
       qos(writer, part.inlineQos()).ifPresent(qos -> {
         Change about = new Change(part.sequence(), kind(qos), NOTHING, time, qos.related(), qos.key());
         Fragments fragments = new Fragments(part.first(), part.count(), part.fragmentSize(), part.sampleSize(), about,
             part.payload());
-        toReaders(writer, part.reader(), core -> core.fragments(writer, fragments));
+        toReaders(listening, writer, part.reader(), core -> core.fragments(writer, fragments));
       });
     }
   }
 
   private void toReaders(Guid writer, EntityId meant, Function<ReaderCore, List<Change>> action) {
-    for (ReaderPort port : switchboard.listening(writer)) {
+    toReaders(switchboard.listening(writer), writer, meant, action);
+  }
+
+  private static void toReaders(List<ReaderPort> listening, Guid writer, EntityId meant,
+      Function<ReaderCore, List<Change>> action) {
+    for (ReaderPort port : listening) {
       if (meant.equals(EntityId.UNKNOWN) || meant.equals(port.entity())) {
         List<Change> inOrder = action.apply(port.core());
         if (!inOrder.isEmpty()) {

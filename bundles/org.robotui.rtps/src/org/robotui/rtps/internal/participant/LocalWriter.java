@@ -51,12 +51,23 @@ final class LocalWriter extends LocalEndpoint implements Writer {
 
   @Override
   public OptionalLong write(ByteBuffer payload) {
-    return write(payload, Optional.empty());
+    return write(copy(payload), Optional.empty());
   }
 
   @Override
   public OptionalLong write(ByteBuffer payload, SampleIdentity related) {
-    return write(payload, Optional.of(related));
+    return write(copy(payload), Optional.of(related));
+  }
+
+  @Override
+  public OptionalLong writeKept(ByteBuffer payload) {
+    return write(payload.slice(), Optional.empty());
+  }
+
+  private static ByteBuffer copy(ByteBuffer payload) {
+    byte[] bytes = new byte[payload.remaining()];
+    payload.get(payload.position(), bytes);
+    return ByteBuffer.wrap(bytes);
   }
 
   private OptionalLong write(ByteBuffer payload, Optional<SampleIdentity> related) {
@@ -65,9 +76,7 @@ final class LocalWriter extends LocalEndpoint implements Writer {
           "a sample of " + payload.remaining() + " bytes on " + info().topic() + "; at most " + mostBytes
               + " are sent");
     }
-    byte[] bytes = new byte[payload.remaining()];
-    payload.get(payload.position(), bytes);
-    return core.write(Sample.Kind.ALIVE, ByteBuffer.wrap(bytes), SourceClock.nanos(), related, Optional.empty());
+    return core.write(Sample.Kind.ALIVE, payload, SourceClock.nanos(), related, Optional.empty());
   }
 
   @Override

@@ -24,7 +24,7 @@ public final class DatagramWriter {
    * @param order the byte order of all that it writes
    */
   public DatagramWriter(GuidPrefix own, int most, ByteOrder order) {
-    out = ByteBuffer.allocate(most);
+    out = ByteBuffer.allocateDirect(most); // a socket would copy one of the heap once more
     out.putInt(MAGIC).put((byte) ProtocolVersion.V2_3.major()).put((byte) ProtocolVersion.V2_3.minor());
     WireOutput.pair(out, VendorId.UNKNOWN.value());
     WireOutput.prefix(out, own);
