@@ -59,7 +59,7 @@ struct drive_t { int64_t utime; double forward_mm_s; double turn_deg_s; }
 """
 LCM = """
 bridges:
-  pose: {from: Old.odom, to: Lena.POSE, type: demo.pose_t, fields: {utime: stamp * 1e-3, x_mm: pose.pose.position.x * 1000, frame: "'old/odom'"}, lease: false}
+  pose: {from: Old.odom, to: Lena.POSE, type: demo.pose_t, fields: {utime: round(stamp / 1000), x_mm: pose.pose.position.x * 1000, frame: "'old/odom'"}, lease: false}
   drive: {from: Lena.DRIVE, to: Old.cmd_vel, fields: {linear.x: forward_mm_s * 0.001, angular.z: turn_deg_s * 0.0174533}, max_linear: 0.15}
 ruics:
   Old: {type: single, view: status, rfics: {base: {type: ros}}}
