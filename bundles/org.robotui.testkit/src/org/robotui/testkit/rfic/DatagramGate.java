@@ -28,8 +28,8 @@ public final class DatagramGate implements AutoCloseable {
   public DatagramGate() throws IOException {
     near = new DatagramSocket(0, InetAddress.getLoopbackAddress());
     far = new DatagramSocket(0, InetAddress.getLoopbackAddress());
-    Peer.THREADS.newThread(() -> pass(near, true)).start();
-    Peer.THREADS.newThread(() -> pass(far, false)).start();
+    Thread.ofPlatform().daemon().start(() -> pass(near, true));
+    Thread.ofPlatform().daemon().start(() -> pass(far, false));
   }
 
   /**
