@@ -21,9 +21,9 @@ public final class FieldFormula {
   }
 
   /**
-   * Reads a formula: what {@link FieldExpression} takes, or numbers and paths with {@code + - * /}, parentheses, and the
-   * functions {@code abs sqrt sin cos tan asin acos atan floor round rad deg} of one and {@code atan2 min max} of two
-   * numbers.
+   * Reads a formula: what {@link FieldExpression} takes, or numbers and paths with {@code + - * /}, parentheses, and
+   * the functions {@code abs sqrt sin cos tan asin acos atan floor round rad deg} of one and {@code atan2 min max} of
+   * two numbers.
    *
    * @param text such as {@code 2 * (x - y)}
    * @return the formula

@@ -147,8 +147,8 @@ final class FormulaParser {
     String path = takes(PATH).orElseThrow(this::wrong);
     FieldPath parsed = FieldPath.parse(path);
     paths.add(path);
-    return record -> number(record, parsed)
-        .orElseThrow(() -> new IllegalArgumentException("'" + path + "' is no number: nothing can be calculated of it"));
+    String problem = "'" + path + "' is no number: nothing can be calculated of it";
+    return record -> number(record, parsed).orElseThrow(() -> new IllegalArgumentException(problem));
   }
 
   private Term function(String name) {
