@@ -87,6 +87,7 @@ bridges:
     type: nav2_msgs/NavigateToPose
     fields: {target_pose: pose}
     feedback: {current_pose: base_position}
+  watch: {from: Old.new/navigate/goal, to: New.goals, type: std_msgs/String, fields: {data: goal_id.id}, lease: false}   # beside the server of the action
 ruics:
   Old: {type: single, view: status, rfics: {base: {type: ros}}}
   New: {type: single, view: status, rfics: {base: {type: ros2}}}
@@ -111,6 +112,7 @@ def test_clients_of_actionlib_and_rclpy_have_goals_carried_out_by_each_others_se
     assert said == {"reached": ["SUCCEEDED", [["map", 2.0]]], "cancelled": ["CANCELED", [["map", 1000.0]]], "rejected": ["REJECTED", []]}
     wait_for(lambda: line(bridge, "there").get("passed") == 2 and line(bridge, "back").get("passed", 0) >= 2, what="the goals to be counted")
     wait_for(lambda: line(bridge, "there")["control"] == line(bridge, "back")["control"] == "", what="the leases to be given back")
+    wait_for(lambda: line(bridge, "watch").get("passed", 0) >= 1, what="a goal to be seen by who watches its topic")
 
 
 def start_visitor(roscore, name, *options):

@@ -62,7 +62,8 @@ public interface RosNode extends AutoCloseable {
   <T> Publisher<T> publisher(String topic, MessageCodec<T> codec, PublisherOptions options);
 
   /**
-   * Subscribes to a topic. There may be several subscribers to one topic, each with links of its own.
+   * Subscribes to a topic. There may be several subscribers to one topic, also with different codecs: they share one
+   * link to each publisher. Those who come later get the last message of a publisher that latches.
    *
    * @param topic the topic's name
    * @param codec the codec of its messages

@@ -5,7 +5,8 @@ import java.util.Set;
 /** Receives the messages of one topic from all its publishers. Any thread may use it. */
 public interface Subscriber extends AutoCloseable {
   /**
-   * Messages that came and could not be read. Each ended the link that it came by, which is made again.
+   * Messages that came and could not be read, or are of another type, which another subscriber of the node wants. Each
+   * that no subscriber could read ended the link that it came by, which is made again.
    *
    * @param count over all publishers so far
    * @param reason why the last of them could not be read, and whose it was; empty where there is none
@@ -25,7 +26,7 @@ public interface Subscriber extends AutoCloseable {
   /**
    * How many publishers are connected.
    *
-   * @return the number of links that exchanged their headers
+   * @return the number of links that exchanged their headers, to publishers of the type that is wanted
    */
   int numPublishers();
 
@@ -58,8 +59,8 @@ public interface Subscriber extends AutoCloseable {
   long listenerErrors();
 
   /**
-   * Unregisters from the master, in the background, and closes all links. A running listener call may still end after
-   * it.
+   * Ends it. The last subscriber of the node to the topic unregisters from the master, in the background, and closes all
+   * links. A running listener call may still end after it.
    */
   @Override
   void close();

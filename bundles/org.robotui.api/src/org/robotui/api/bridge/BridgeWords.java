@@ -36,9 +36,9 @@ public final class BridgeWords {
   private static final TextRule TYPE =
       TextRule.matching("the robot's name of a type, such as sensor_msgs/LaserScan", "\\S+");
   private static final TextRule EXPRESSION = TextRule.readBy(
-      "the path of a field, with a factor and a summand where they are needed, such as pose.x * 1000 + 5, or a number, or"
-          + " a text in single quotes",
-      FieldExpression::parse);
+      "the path of a field, a number, a text in single quotes, or a formula of paths and numbers, such as"
+          + " 2 * (pose.x - 5)",
+      FieldFormula::parse);
   private static final TextRule ID = TextRule.matching("the id of a transform, such as pose_goal", "[A-Za-z0-9_-]+");
 
   /** All words. */

@@ -33,31 +33,36 @@ public record FieldExpression(Optional<FieldValue> constant, String path, double
    * @throws IllegalArgumentException with a reason where it is none
    */
   public static FieldExpression parse(String text) {
+    return find(text).orElseThrow(() -> new IllegalArgumentException(
+        "'" + text + "' is neither a path, a number nor a text in single quotes"));
+  }
+
+  /** The same, or none where it is none. */
+  static Optional<FieldExpression> find(String text) {
     String stripped = text.strip();
     Matcher quoted = TEXT.matcher(stripped);
     if (quoted.matches()) {
-      return constant(new FieldValue.Text(quoted.group("text")));
+      return Optional.of(constant(new FieldValue.Text(quoted.group("text"))));
     }
     Optional<Double> number = Numerals.decimal(stripped);
     if (number.isPresent()) {
-      return constant(new FieldValue.Num(number.get(), stripped));
+      return Optional.of(constant(new FieldValue.Num(number.get(), stripped)));
     }
     Matcher form = FORM.matcher(stripped);
     if (!form.matches()) {
-      throw new IllegalArgumentException("'" + text + "' is neither a path, a number nor a text in single quotes");
+      return Optional.empty();
     }
-    double factor = form.group("factor") == null ? 1 : number(form.group("factor"));
-    double summand = form.group("summand") == null ? 0 : number(form.group("summand"));
-    return new FieldExpression(Optional.empty(), form.group("path"), factor,
-        "-".equals(form.group("sign")) ? -summand : summand);
+    int sign = "-".equals(form.group("sign")) ? -1 : 1;
+    return number(form.group("factor"), 1).flatMap(factor -> number(form.group("summand"), 0)
+        .map(summand -> new FieldExpression(Optional.empty(), form.group("path"), factor, sign * summand)));
   }
 
   private static FieldExpression constant(FieldValue value) {
     return new FieldExpression(Optional.of(value), "", 1, 0);
   }
 
-  private static double number(String text) {
-    return Numerals.decimal(text).orElseThrow(() -> new IllegalArgumentException("'" + text + "' is no number"));
+  private static Optional<Double> number(String text, double otherwise) {
+    return text == null ? Optional.of(otherwise) : Numerals.decimal(text);
   }
 
   /**
@@ -90,7 +95,8 @@ public record FieldExpression(Optional<FieldValue> constant, String path, double
     };
   }
 
-  private static FieldValue number(double value) {
+  /** A number as it is written. */
+  static FieldValue number(double value) {
     boolean whole = value == Math.rint(value) && Math.abs(value) < 1L << 53;
     return new FieldValue.Num(value, whole ? Long.toString((long) value) : Double.toString(value));
   }

@@ -4,5 +4,5 @@
  * framework: a check that fails throws an {@code AssertionError}. How to use it stands in
  * {@code docs/rfic-contract.md}.
  */
-@org.osgi.annotation.versioning.Version("1.2.0")
+@org.osgi.annotation.versioning.Version("1.3.0")
 package org.robotui.testkit.rfic;

@@ -4,7 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.robotui.api.bridge.FieldExpression;
+import org.robotui.api.bridge.FieldFormula;
 import org.robotui.api.config.Settings;
 import org.robotui.data.Stamp;
 import org.robotui.data.record.DynamicRecord;
@@ -17,7 +17,7 @@ import org.robotui.data.record.MapRecord;
  * @param type the name of the type of what is made
  * @param fields the expressions, by the paths of the fields
  */
-public record FieldMapping(String type, Map<String, FieldExpression> fields) {
+public record FieldMapping(String type, Map<String, FieldFormula> fields) {
   private static final String STAMP = "stamp";
 
   /** As configured; none where no fields are mapped. */
@@ -30,8 +30,8 @@ public record FieldMapping(String type, Map<String, FieldExpression> fields) {
     if (!settings.has(word)) {
       return Optional.empty();
     }
-    Map<String, FieldExpression> fields = new LinkedHashMap<>();
-    settings.map(word).forEach((path, text) -> fields.put(path.toString(), FieldExpression.parse(text.toString())));
+    Map<String, FieldFormula> fields = new LinkedHashMap<>();
+    settings.map(word).forEach((path, text) -> fields.put(path.toString(), FieldFormula.parse(text.toString())));
     return Optional.of(new FieldMapping(type, fields));
   }
 
@@ -46,7 +46,7 @@ public record FieldMapping(String type, Map<String, FieldExpression> fields) {
     Map<String, Object> tree = new LinkedHashMap<>();
     fields.forEach((path, expression) -> put(tree, path, expression.of(source).orElseThrow(
         () -> new IllegalArgumentException(
-            record.schema() + " has no '" + expression.path() + "' for the field '" + path
+            record.schema() + " has no '" + expression.missing(source).orElse("") + "' for the field '" + path
                 + "'; it has " + String.join(", ", record.fields())))));
     return record(tree, type);
   }

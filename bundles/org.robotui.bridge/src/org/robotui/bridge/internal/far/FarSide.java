@@ -17,8 +17,6 @@ import org.robotui.data.Data;
 import org.robotui.data.command.Motion;
 import org.robotui.data.command.MotionLimits;
 import org.robotui.data.command.RelayMessage;
-import org.robotui.data.geometry.StampedPose;
-import org.robotui.data.navigation.NavigationGoal;
 
 /** The robot to which a bridge leads: by its port for commands, where it has one of that name, else by a topic. */
 public final class FarSide {
@@ -87,7 +85,7 @@ public final class FarSide {
   }
 
   private Passage command(CommandPort<?> port, Crossing crossing, long now) {
-    Data command = limited(fitting(port, crossing.value()));
+    Data command = limited(FittingCommand.of(port.type(), crossing.value()));
     if (!port.type().isInstance(command)) {
       return refused(crossing, end + " takes " + port.typeName() + ", not " + command.getClass().getSimpleName()
           + "; a 'transform' can make one of the other");
@@ -102,13 +100,6 @@ public final class FarSide {
       crossing.answer().told(Optional.empty());
     }
     return passage(crossing, outcome);
-  }
-
-  /** A pose is a goal where goals are taken. */
-  private static Data fitting(CommandPort<?> port, Data value) {
-    return port.type() == NavigationGoal.class && value instanceof StampedPose pose
-        ? new NavigationGoal(pose.frame(), pose.pose())
-        : value;
   }
 
   private Data limited(Data command) {

@@ -188,6 +188,16 @@ class BridgeRunnerTest {
   }
 
   @Test
+  void fields_make_a_velocity_where_velocities_are_taken() {
+    robots.bridge("cmd_vel", Map.of("max_linear", 0.5, "fields", Map.of("linear.x", "number", "angular.z", "0.2")));
+    robots.says(NOTE);
+    TwoRobots.await(() -> !robots.heard(VelocityCommand.class).isEmpty());
+    VelocityCommand heard = robots.heard(VelocityCommand.class).getFirst();
+    assertEquals(0.5, heard.linear().x(), 1e-9);
+    assertEquals("Bridge test", robots.keira.authority().holder().orElseThrow().label());
+  }
+
+  @Test
   void what_a_port_does_not_take_is_refused_with_what_it_takes() {
     robots.bridge("cmd_vel", Map.of());
     robots.says(scan());

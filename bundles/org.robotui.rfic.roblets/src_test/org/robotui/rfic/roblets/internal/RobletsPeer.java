@@ -34,6 +34,7 @@ import org.robotui.roblets.tree.BodyElement;
 import org.robotui.roblets.tree.BodyForm;
 import org.robotui.roblets.wire.RobletForm;
 import org.robotui.testkit.rfic.Capability;
+import org.robotui.testkit.rfic.DatagramGate;
 import org.robotui.testkit.rfic.Peer;
 import org.robotui.testkit.rfic.Sample;
 

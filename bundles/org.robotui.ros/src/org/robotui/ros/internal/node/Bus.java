@@ -14,8 +14,8 @@ record Bus(NodeParts parts) {
     List<XmlRpcValue> all = new ArrayList<>();
     parts.publications()
         .forEach(p -> p.links().forEach(link -> all.add(link(all.size(), link.subscriber(), "o", p.topic(), true))));
-    parts.subscriptions().forEach(s -> s.links()
-        .forEach(link -> all.add(link(all.size(), link.publisherUri(), "i", s.topic(), link.isConnected()))));
+    parts.topics().values().forEach(t -> t.links()
+        .forEach(link -> all.add(link(all.size(), link.publisherUri(), "i", t.topic(), link.isConnected()))));
     return new Array(all);
   }
 
@@ -33,7 +33,7 @@ record Bus(NodeParts parts) {
     List<XmlRpcValue> published = new ArrayList<>();
     parts.publications().forEach(p -> published.add(published(p, id)));
     List<XmlRpcValue> subscribed = new ArrayList<>();
-    parts.subscriptions().forEach(s -> subscribed.add(subscribed(s, id)));
+    parts.topics().values().forEach(t -> subscribed.add(subscribed(t, id)));
     return XmlRpcValue.of(new Array(published), new Array(subscribed), new Array(List.of()));
   }
 
@@ -46,14 +46,14 @@ record Bus(NodeParts parts) {
     return XmlRpcValue.of(XmlRpcValue.of(publication.topic().text()), count(publication.sentBytes()), new Array(links));
   }
 
-  private static XmlRpcValue subscribed(Subscription<?> subscription, int[] id) {
+  private static XmlRpcValue subscribed(SubscribedTopic topic, int[] id) {
     List<XmlRpcValue> links = new ArrayList<>();
-    for (InLink<?> link : subscription.links()) {
+    for (InLink link : topic.links()) {
       links.add(XmlRpcValue.of(XmlRpcValue.of(id[0]++), count(link.got().bytes()), count(link.got().messages()),
           XmlRpcValue.of(-1),
           XmlRpcValue.of(link.isConnected())));
     }
-    return XmlRpcValue.of(XmlRpcValue.of(subscription.topic().text()), new Array(links));
+    return XmlRpcValue.of(XmlRpcValue.of(topic.topic().text()), new Array(links));
   }
 
   /** Integers have 32 bits here: a larger count stays at the largest. */

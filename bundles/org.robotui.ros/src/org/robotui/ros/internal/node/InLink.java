@@ -7,6 +7,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.time.Duration;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.Semaphore;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
@@ -31,13 +32,14 @@ import org.robotui.ros.internal.tcpros.ReadPacing;
 /**
  * The link to one publisher, with a thread of its own that connects, reads and, when the link broke, connects again.
  */
-final class InLink<T> {
+final class InLink {
 
   private static final int BUFFER = 64 * 1024;
 
   private final NodeContext context;
-  private final Subscription<T> subscription;
+  private final SubscribedTopic topic;
   private final String publisherUri;
+  private final LinkDelivery delivery;
   private final CloseableSet open = new CloseableSet();
   /** Ends a pause early. */
   private final Semaphore nudges = new Semaphore(0);
@@ -45,23 +47,42 @@ final class InLink<T> {
   private final Backoff backoff;
   private volatile boolean closed;
   private volatile boolean orphan;
-  private volatile boolean connected;
+  /** The type of what comes, while it is connected. */
+  private volatile Optional<MessageInfo> announced = Optional.empty();
   private volatile String peer;
 
-  InLink(NodeContext context, Subscription<T> subscription, String publisherUri) {
+  InLink(NodeContext context, SubscribedTopic topic, String publisherUri) {
     this.context = context;
-    this.subscription = subscription;
+    this.topic = topic;
     this.publisherUri = publisherUri;
+    this.delivery = new LinkDelivery(topic, this::describe);
     this.backoff = context.backoff();
     this.peer = publisherUri;
   }
 
   void start() {
-    context.start("sub " + subscription.topic() + " " + publisherUri, this::run);
+    context.start("sub " + topic.topic() + " " + publisherUri, this::run);
   }
 
   boolean isConnected() {
-    return connected;
+    return announced.isPresent();
+  }
+
+  /** Whether it is connected to a publisher of such messages. */
+  boolean brings(MessageInfo wanted) {
+    return announced.filter(theirs -> wanted.accepts(theirs.md5())).isPresent();
+  }
+
+  /** What comes goes to the subscribers through it. */
+  LinkDelivery delivery() {
+    return delivery;
+  }
+
+  /** Hands over to one more subscriber, on a thread that may wait, what the publisher keeps. */
+  void joined(Subscription<?> subscription) {
+    if (delivery.hasKept(subscription)) {
+      context.start("sub " + topic.topic() + " " + publisherUri + " kept", () -> delivery.catchUp(subscription));
+    }
   }
 
   /** What came in, also over connections before the present one. */
@@ -106,7 +127,7 @@ final class InLink<T> {
 
   private void run() {
     String last = "the publisher is not registered any more";
-    while (!subscription.ended(this, publisherUri)) {
+    while (!topic.ended(this, publisherUri)) {
       report(new LinkState.Connecting());
       last = attempt();
       if (!isOver()) {
@@ -130,11 +151,10 @@ final class InLink<T> {
     } catch (OutOfMemoryError e) {
       return describe("no memory for its message: " + e.getMessage());
     } catch (MessageException e) {
-      String reason = describe("message that is no " + subscription.info().type() + ": " + e.getMessage());
-      subscription.unreadable(reason);
-      return reason;
+      return e.problem();
     } finally {
-      connected = false;
+      announced = Optional.empty();
+      delivery.forget();
       if (System.nanoTime() - start > context.options().maxBackoff().toNanos()) {
         backoff.reset();
       }
@@ -163,7 +183,7 @@ final class InLink<T> {
     }
     try {
       Outcome<XmlRpcValue> outcome = publisher.call("requestTopic", XmlRpcValue.of(context.name().text()),
-          XmlRpcValue.of(subscription.topic().text()), XmlRpcValue.of(XmlRpcValue.ofTexts(List.of("TCPROS"))));
+          XmlRpcValue.of(topic.topic().text()), XmlRpcValue.of(XmlRpcValue.ofTexts(List.of("TCPROS"))));
       return outcome instanceof Outcome.Done<XmlRpcValue> done ? endpoint(done.value()) : raise(outcome.reason());
     } finally {
       open.close(publisher);
@@ -186,13 +206,13 @@ final class InLink<T> {
   private void converse(Socket socket) throws IOException, MessageException {
     DeadlineInput stream = new DeadlineInput(socket, 0);
     stream.within(context.handshake());
-    socket.getOutputStream().write(subscription.request().encode());
+    socket.getOutputStream().write(topic.request().encode());
     FrameReader in = new FrameReader(stream, BUFFER);
     ConnectionHeader header = ConnectionHeader.decode(in.next(context.options().maxHeaderBytes(), "connection header"));
     header.field("callerid").ifPresent(name -> peer = PeerText.name(name));
     MessageInfo theirs = accept(header);
     stream.withoutDeadline();
-    connected = true;
+    announced = Optional.of(theirs);
     report(new LinkState.Connected(peer, theirs));
     receive(in, theirs, header.flag("latching"));
   }
@@ -202,10 +222,10 @@ final class InLink<T> {
       throw new ProtocolException("the publisher refused: " + header.require("error"));
     }
     MessageInfo theirs = header.messageInfo();
-    MessageInfo ours = subscription.info();
-    if (!ours.accepts(theirs.md5())) {
-      throw new ProtocolException("it sends " + theirs.type() + " with MD5 sum " + theirs.md5() + ", expected "
-          + ours.type() + " with " + ours.md5());
+    boolean wanted = topic.subscriptions().stream().anyMatch(each -> each.codec().info().accepts(theirs.md5()));
+    Optional<Subscription<?>> any = topic.subscriptions().stream().findFirst();
+    if (!wanted && any.isPresent()) {
+      throw new ProtocolException(any.get().mismatch(theirs));
     }
     return theirs;
   }
@@ -223,19 +243,7 @@ final class InLink<T> {
       pacing.count(frame.length, now);
       got.count(1, frame.length + (long) Integer.BYTES);
       ByteBuffer raw = ByteBuffer.wrap(frame).asReadOnlyBuffer().order(ByteOrder.LITTLE_ENDIAN);
-      T value = decode(ByteBuffer.wrap(frame).order(ByteOrder.LITTLE_ENDIAN), theirs);
-      subscription.deliver(value, new Reception(caller, now, raw, theirs, latching));
-    }
-  }
-
-  /** A codec must not let an unchecked exception out, but one that does must not end the thread. */
-  private T decode(ByteBuffer frame, MessageInfo theirs) throws MessageException {
-    try {
-      return subscription.codec().decode(frame, theirs);
-    } catch (RuntimeException e) {
-      MessageException wrapped = new MessageException("decoding failed with " + e, "", frame.position());
-      wrapped.initCause(e);
-      throw wrapped;
+      delivery.deliver(frame, new Reception(caller, now, raw, theirs, latching));
     }
   }
 
@@ -252,10 +260,10 @@ final class InLink<T> {
   private String describe(String cause) {
     String uri = PeerText.name(publisherUri);
     String node = peer.equals(publisherUri) ? uri : peer + " at " + uri;
-    return "topic " + subscription.topic() + ": publisher " + node + ": " + cause;
+    return "topic " + topic.topic() + ": publisher " + node + ": " + cause;
   }
 
   private void report(LinkState state) {
-    context.report(Kind.SUBSCRIPTION, subscription.topic().text(), peer, state);
+    context.report(Kind.SUBSCRIPTION, topic.topic().text(), peer, state);
   }
 }

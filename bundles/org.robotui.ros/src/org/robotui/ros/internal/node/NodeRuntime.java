@@ -161,31 +161,34 @@ public final class NodeRuntime implements RosNode {
       MessageListener<T> listener) {
     requireOpen();
     GraphName global = names.resolve(topic);
-    Subscription<T> subscription = new Subscription<>(context, global, codec, options, listener, this::unsubscribe);
     synchronized (parts.topics()) {
       SubscribedTopic subscribed =
           parts.topics().computeIfAbsent(global.text(), key -> register(global, codec.info(), options));
+      Subscription<T> subscription =
+          new Subscription<>(context, subscribed, codec, options, listener, this::unsubscribe);
       subscribed.add(subscription);
+      return subscription;
     }
-    return subscription;
   }
 
   private SubscribedTopic register(GraphName topic, MessageInfo info, SubscriberOptions options) {
     String type = options.announcesType() ? info.type() : MessageInfo.ANY;
-    SubscribedTopic subscribed = new SubscribedTopic(name(), topic, type, uri);
+    SubscribedTopic subscribed = new SubscribedTopic(context, topic, type, uri);
     registrar.add(subscribed);
     return subscribed;
   }
 
   private void unsubscribe(Subscription<?> subscription) {
+    Optional<SubscribedTopic> unwanted;
     synchronized (parts.topics()) {
-      Optional.ofNullable(parts.topics().get(subscription.topic().text()))
-          .filter(topic -> topic.remove(subscription))
-          .ifPresent(topic -> {
-            parts.topics().remove(subscription.topic().text());
-            registrar.remove(topic);
-          });
+      unwanted = Optional.ofNullable(parts.topics().get(subscription.topic().text()))
+          .filter(topic -> topic.remove(subscription));
+      unwanted.ifPresent(topic -> {
+        parts.topics().remove(subscription.topic().text());
+        registrar.remove(topic);
+      });
     }
+    unwanted.ifPresent(SubscribedTopic::close);
   }
 
   @Override

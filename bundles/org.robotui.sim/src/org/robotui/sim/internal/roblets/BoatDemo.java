@@ -1,9 +1,12 @@
 package org.robotui.sim.internal.roblets;
 
 import java.io.IOException;
+import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Supplier;
 import org.robotui.roblets.brain.Brain;
+import org.robotui.roblets.roblet.Roblet;
 import org.robotui.sim.internal.roblets.BoatMessages.Motion;
 import org.robotui.sim.internal.roblets.BoatMessages.Position;
 import org.robotui.sim.internal.roblets.BoatMessages.Wind;
@@ -37,16 +40,18 @@ public final class BoatDemo implements AutoCloseable {
   }
 
   private void launch() throws IOException {
-    body.run(() -> new SayingRoblet<>("gps", 5, Position.class, boat::position));
-    body.run(() -> CommonRoblets.compass(boat::heading));
-    body.run(() -> new SayingRoblet<>("wind", 4, Wind.class, boat::wind));
-    body.run(() -> new SayingRoblet<>("log", 20, Motion.class, boat::motion));
-    body.run(() -> CommonRoblets.battery(boat::charge));
-    body.run(CommonRoblets.HeartRoblet::new);
-    body.run(() -> new RudderRoblet(boat));
-    body.run(() -> new MotorRoblet(boat));
-    body.run(HelmRoblet::new);
+    for (Supplier<Roblet> maker : roblets(boat)) {
+      body.run(maker);
+    }
     body.brain().rule(BoatPilot.rule());
+  }
+
+  /** What makes the organs of a boat. */
+  static List<Supplier<Roblet>> roblets(Boat boat) {
+    return List.of(() -> new SayingRoblet<>("gps", 5, Position.class, boat::position),
+        () -> CommonRoblets.compass(boat::heading), () -> new SayingRoblet<>("wind", 4, Wind.class, boat::wind),
+        () -> new SayingRoblet<>("log", 20, Motion.class, boat::motion), () -> CommonRoblets.battery(boat::charge),
+        CommonRoblets.HeartRoblet::new, () -> new RudderRoblet(boat), () -> new MotorRoblet(boat), HelmRoblet::new);
   }
 
   private static Thread thread(Runnable task) {

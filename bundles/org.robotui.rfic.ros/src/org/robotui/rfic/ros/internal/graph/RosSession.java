@@ -2,9 +2,6 @@ package org.robotui.rfic.ros.internal.graph;
 
 import java.io.IOException;
 import java.time.Duration;
-import java.util.HashMap;
-import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
@@ -123,19 +120,9 @@ public final class RosSession implements RobotSession {
 
   private void look() {
     switch (master.graph(() -> SharedGraph.ask(node), System.nanoTime(), FRESH.toNanos())) {
-      case Outcome.Done<SharedGraph> d -> seen(unserved(GraphSnapshot.of(d.value(), node.name().text())));
+      case Outcome.Done<SharedGraph> d -> seen(GraphSnapshot.of(d.value(), node.name().text()));
       case Outcome<SharedGraph> other -> verdict.unanswered(other, topics.flowing()).ifPresent(context.link()::report);
     }
-  }
-
-  /**
-   * Without the topics on which clients of our own actions speak: rospy drops a link of a node when the same node makes
-   * another one for the same topic, so that whoever looks at them would cut off the server.
-   */
-  private TopicGraph unserved(TopicGraph snapshot) {
-    Map<String, String> published = new HashMap<>(snapshot.published());
-    servedActions.names().forEach(name -> published.keySet().removeAll(List.of(name + "/goal", name + "/cancel")));
-    return new TopicGraph(published, snapshot.subscribed());
   }
 
   private void seen(TopicGraph snapshot) {

@@ -1,0 +1,2 @@
+/** A bundle that brings a transform for bridges; tests pack it. */
+package org.robotui.tests.crawl;
