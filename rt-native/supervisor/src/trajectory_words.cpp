@@ -10,7 +10,7 @@
 namespace robotui::rt::supervisor {
 namespace {
 
-constexpr std::array<std::string_view, 11> kPhases{"none",    "telling", "checking", "refused",  "bad_joints", "moving",
+constexpr std::array<std::string_view, 11> kPhases{"none",     "telling", "checking", "refused",  "bad_joints", "moving",
                                                    "settling", "done",    "stopped",  "off_path", "off_goal"};
 
 std::string_view wordOf(TrajectoryPhase phase) noexcept {
