@@ -10,8 +10,9 @@
 namespace robotui::rt::supervisor {
 namespace {
 
-constexpr std::array<std::string_view, 11> kPhases{"none",     "telling", "checking", "refused",  "bad_joints", "moving",
-                                                   "settling", "done",    "stopped",  "off_path", "off_goal"};
+constexpr std::array<std::string_view, 11> kPhases{"none",       "telling",  "checking", "refused",
+                                                   "bad_joints", "moving",   "settling", "done",
+                                                   "stopped",    "off_path", "off_goal"};
 
 std::string_view wordOf(TrajectoryPhase phase) noexcept {
   const auto index = static_cast<std::size_t>(phase);
@@ -48,7 +49,8 @@ std::optional<TrajectoryReport> trajectoryReport(const link::ChannelSegment& cha
     for (int tries = 0; tries < 5; ++tries) {
       const std::uint64_t written = slot.written.load(std::memory_order_acquire);
       TrajectoryReport report{};
-      if (written != 0 && detail::fetch(slot, written - 1, &report, sizeof(report)) == detail::Fetch::kOk) return report;
+      if (written != 0 && detail::fetch(slot, written - 1, &report, sizeof(report)) == detail::Fetch::kOk)
+        return report;
     }
   }
   return std::nullopt;
