@@ -13,6 +13,8 @@ readonly PACKAGES=(
   "visualization_msgs msg/UVCoordinate.msg msg/MeshFile.msg msg/Marker.msg msg/MarkerArray.msg msg/MenuEntry.msg msg/InteractiveMarkerControl.msg
     msg/InteractiveMarker.msg msg/InteractiveMarkerPose.msg msg/InteractiveMarkerUpdate.msg msg/InteractiveMarkerFeedback.msg srv/GetInteractiveMarkers.srv"
   "nav2_msgs action/NavigateToPose.action"
+  "trajectory_msgs msg/JointTrajectoryPoint.msg msg/JointTrajectory.msg msg/MultiDOFJointTrajectoryPoint.msg msg/MultiDOFJointTrajectory.msg"
+  "control_msgs msg/JointTolerance.msg msg/JointComponentTolerance.msg action/FollowJointTrajectory.action"
 )
 
 main() {
@@ -100,7 +102,7 @@ libraries() {
   local name=$1 package kind
   printf '%s\n' "-L$V/lib" "-Wl,-rpath,$V/lib" -Wl,--unresolved-symbols=ignore-all -Wl,--no-as-needed -lrosidl_runtime_c -lrosidl_typesupport_c \
     -lrosidl_typesupport_fastrtps_c -lrosidl_typesupport_fastrtps_cpp -lfastcdr
-  for package in builtin_interfaces unique_identifier_msgs service_msgs action_msgs std_msgs geometry_msgs sensor_msgs; do
+  for package in builtin_interfaces unique_identifier_msgs service_msgs action_msgs std_msgs geometry_msgs sensor_msgs trajectory_msgs; do
     for kind in rosidl_generator_c rosidl_typesupport_c rosidl_typesupport_fastrtps_c rosidl_generator_py; do
       [[ $package == "$name" || ! -e $V/lib/lib${package}__$kind.so ]] || printf -- '-l%s__%s\n' "$package" "$kind"
     done

@@ -12,6 +12,7 @@ from conftest import Robot, end, json_lines, last_of, start_robotui, wait_for
 
 SOURCE = pathlib.Path(__file__).parent / "peers/gazebo_world.cpp"
 PACKAGES = ("ignition-transport11", "ignition-msgs8")
+CONTACT = "world/yard/model/crate/link/wood/sensor/bumper/contact"
 CONFIG = """ruics:
   Robot:
     type: mobilebase
@@ -48,7 +49,8 @@ def test_a_world_is_seen_lost_and_found_again(processes, environment, tmp_path, 
     config.write_text(CONFIG.format(partition=partition))
     first = robot.start_tool(str(world), name="world")
     robotui = start_robotui(robot, "run", "--json", str(config))
-    for port, least in (("model/rover/odometry", 5), ("scan", 5), ("camera", 5), ("world/yard/model/rover/joint_state", 5)):
+    for port, least in (("model/rover/odometry", 5), ("scan", 5), ("camera", 5), ("world/yard/model/rover/joint_state", 5),
+                        (CONTACT, 5)):
         wait_for(lambda: alive(robotui, port, least), seconds=90, what=f"a live {port}")
     wait_for(lambda: "scene" in first.out.read_text().splitlines(), what="the question for the scene")
 

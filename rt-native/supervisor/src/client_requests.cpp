@@ -31,6 +31,8 @@ void ClientRequests::dispatch(std::uint64_t client, const link::Packet& packet) 
     plugins_.command(client, rest);
   } else if (verb == "status") {
     plugins_.status(client, rest);
+  } else if (verb == "trajectory") {
+    plugins_.trajectory(client, rest);
   } else if (verb == "take") {
     master_.take(client, rest);
   } else if (verb == "release") {
@@ -49,8 +51,8 @@ void ClientRequests::dispatch(std::uint64_t client, const link::Packet& packet) 
     robot_.drives(client);
   } else {
     replies_.answer(client, "The request " + quoted(verb) +
-                                " is not known. There are: attach, switch, reload, command, status, take, release, "
-                                "follower, describe, drives, recover, enable, disable, reference.");
+                                " is not known. There are: attach, switch, reload, command, status, trajectory, take, "
+                                "release, follower, describe, drives, recover, enable, disable, reference.");
   }
 }
 

@@ -3,6 +3,7 @@
 #include "quoted.h"
 #include "robotui/rt/link/clock.h"
 #include "robotui/rt/link/words.h"
+#include "robotui/rt/supervisor/trajectory_words.h"
 
 namespace robotui::rt::supervisor {
 namespace {
@@ -100,6 +101,19 @@ void PluginRequests::command(std::uint64_t client, std::string_view words) {
 void PluginRequests::status(std::uint64_t client, std::string_view words) {
   const auto plugin = registry_.find(words);
   replies_.reply(client, plugin ? "ok " + registry_.describe(*plugin) : "error " + registry_.unknown(words));
+}
+
+void PluginRequests::trajectory(std::uint64_t client, std::string_view words) {
+  const auto plugin = registry_.find(words);
+  if (!plugin) {
+    replies_.answer(client, registry_.unknown(words));
+    return;
+  }
+  const auto report = trajectoryReport(*hostOf(*plugin).channels().get(), registry_.name(*plugin));
+  if (report)
+    replies_.reply(client, "ok " + trajectoryWords(*report, board_.data().joints));
+  else
+    replies_.answer(client, registry_.name(*plugin) + " says nothing of trajectories.");
 }
 
 }  // namespace robotui::rt::supervisor

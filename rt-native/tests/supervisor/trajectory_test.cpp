@@ -1,6 +1,7 @@
 // A file of points by robotui-rt-ctl, in the arm as it is shipped: with its own limits of acceleration and jerk.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "homing.h"
@@ -32,6 +33,25 @@ velocity: 0.5
   EXPECT_EQ(code, 0) << said;
   EXPECT_NE(said.find("JointTrajectory is running: done"), std::string::npos) << said;
   EXPECT_TRUE(eventually([&] { return farthest(robot, {{"shoulder_yaw", 0.5}, {"elbow_pitch", 0.4}}) < kNear; }));
+}
+
+// For clients that read no channels.
+TEST_F(Trajectories, AreToldAsWords) {
+  EXPECT_FALSE(robot.ask("trajectory Nobody").ok);
+  ASSERT_TRUE(robot.ask("switch JointTrajectory 1").ok);
+  const std::string words = "@7 begin;joints elbow_pitch;point 0.2;positions 0.1;run";
+  ASSERT_TRUE(robot.ask("command JointTrajectory " + words).ok);
+  std::string said;
+  EXPECT_TRUE(eventually([&] {
+    said = robot.ask("trajectory JointTrajectory").text;
+    return said.starts_with("7 moving 7 done ") || said.starts_with("7 done 7 done ");
+  })) << said;
+  EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 5) << said;
+  robot.ask("command JointTrajectory @8 begin;joints tail");
+  EXPECT_TRUE(eventually([&] {
+    said = robot.ask("trajectory JointTrajectory").text;
+    return said.starts_with("8 bad_joints 7 done ") && said.find("tail") != std::string::npos;
+  })) << said;
 }
 
 TEST_F(Trajectories, ThatCannotBeSayWhy) {

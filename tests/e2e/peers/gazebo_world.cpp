@@ -117,6 +117,7 @@ class Voice
     this->image = node.Advertise<msgs::Image>("/camera");
     this->model = node.Advertise<msgs::Model>("/world/yard/model/rover/joint_state");
     this->odd = node.Advertise<msgs::Wind>("/odd");
+    this->contacts = node.Advertise<msgs::Contacts>("/world/yard/model/crate/link/wood/sensor/bumper/contact");
   }
 
   public: void Speak(const World &world)
@@ -194,13 +195,26 @@ class Voice
     }
     this->model.Publish(state);
 
+    msgs::Contacts touched;
+    Stamp(touched.mutable_header(), world.step, "");
+    auto contact = touched.add_contact();
+    contact->mutable_collision1()->set_name("crate::wood::collision");
+    contact->mutable_collision2()->set_name("rover::chassis::collision");
+    auto place = contact->add_position();
+    place->set_x(2.5);
+    place->set_z(0.3);
+    contact->add_normal()->set_x(-1);
+    contact->add_depth(0.001);
+    contact->mutable_world()->set_name("yard");
+    this->contacts.Publish(touched);
+
     msgs::Wind blows;
     blows.set_enable_wind(true);
     this->odd.Publish(blows);
   }
 
   private: int joints;
-  private: ignition::transport::Node::Publisher clock, stats, poses, odometry, scan, image, model, odd;
+  private: ignition::transport::Node::Publisher clock, stats, poses, odometry, scan, image, model, odd, contacts;
 };
 }  // namespace
 

@@ -22,6 +22,7 @@ class PluginRequests {
   void reload(std::uint64_t client, std::string_view words);
   void command(std::uint64_t client, std::string_view words);
   void status(std::uint64_t client, std::string_view words);
+  void trajectory(std::uint64_t client, std::string_view words);
 
  private:
   void start(std::uint64_t client, std::uint32_t plugin);

@@ -89,6 +89,37 @@ public interface TopicClient {
   TopicPublisher<DynamicMessage> messages(String topic, MessageSchema schema);
 
   /**
+   * Whether it is known who subscribes to a topic before it is offered. Else single messages may be said wherever
+   * somebody publishes, and are refused once it has turned out that nobody hears them.
+   *
+   * @return false where listeners show themselves only to those who publish
+   */
+  default boolean knowsListeners() {
+    return true;
+  }
+
+  /**
+   * The type of ROS by which messages of a type command a robot, where the framework has names of its own.
+   *
+   * @param type its name
+   * @return the type of ROS that means the same, else the name itself
+   */
+  default String commandType(String type) {
+    return type;
+  }
+
+  /**
+   * How single messages are said on a topic whose messages have no definition of ROS.
+   *
+   * @param topic its name
+   * @param type the type of its messages
+   * @return says them by the names of their fields; none where such messages are not taken
+   */
+  default Optional<FieldsTopic> fields(String topic, String type) {
+    return Optional.empty();
+  }
+
+  /**
    * Offers a topic for what other robots say, as much and as often as they do.
    *
    * @param topic its name

@@ -3,5 +3,5 @@
  * framework gives a {@link org.robotui.message.topic.TopicClient}, and says from time to time who publishes and
  * subscribes what; {@link org.robotui.message.topic.RobotTopics} makes streams and commands of it.
  */
-@org.osgi.annotation.versioning.Version("2.3.0")
+@org.osgi.annotation.versioning.Version("2.4.0")
 package org.robotui.message.topic;

@@ -27,11 +27,34 @@ final class ProtobufBuilder {
           () -> new IllegalArgumentException(type.getFullName() + " has no field '" + name + "'"));
       if (field.isRepeated()) {
         items(value).forEach(each -> message.addRepeatedField(field, one(field, each)));
-      } else {
+      } else if (!isUnsaid(field, value)) {
         message.setField(field, one(field, value));
       }
     });
     return message.build();
+  }
+
+  /**
+   * Forms give every field a value. Records and members of a union that are there mean something also where they are
+   * zero, as a pose at which something is to be: those in which nothing was filled in are left out.
+   */
+  private static boolean isUnsaid(FieldDescriptor field, Object value) {
+    return switch (field.getJavaType()) {
+      case MESSAGE -> value instanceof Map<?, ?> inner && !inner.isEmpty() && isZero(inner);
+      case ENUM -> isZero(value);
+      default -> field.getRealContainingOneof() != null && isZero(value);
+    };
+  }
+
+  private static boolean isZero(Object value) {
+    return switch (value) {
+      case String text -> text.isEmpty();
+      case Number number -> number.doubleValue() == 0;
+      case Boolean flag -> !flag;
+      case Map<?, ?> inner -> inner.values().stream().allMatch(ProtobufBuilder::isZero);
+      case List<?> list -> list.isEmpty();
+      default -> false;
+    };
   }
 
   private static List<Object> items(Object value) {

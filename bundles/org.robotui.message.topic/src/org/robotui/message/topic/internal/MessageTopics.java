@@ -25,7 +25,7 @@ public final class MessageTopics implements CommandSink<MessageCommand>, AutoClo
   private static final Duration IDLE = Duration.ofSeconds(30);
 
   private final TopicClient client;
-  private final Map<String, PatientTopic> topics = new HashMap<>();
+  private final Map<String, SaidTopic<?>> topics = new HashMap<>();
   private volatile Map<String, String> listened = Map.of();
 
   /**
@@ -43,7 +43,9 @@ public final class MessageTopics implements CommandSink<MessageCommand>, AutoClo
    * @param graph who subscribes what
    */
   public void follow(TopicGraph graph) {
-    listened = graph.subscribed();
+    Map<String, String> heard = new HashMap<>(client.knowsListeners() ? Map.of() : graph.published());
+    heard.putAll(graph.subscribed());
+    listened = Map.copyOf(heard);
   }
 
   @Override
@@ -57,37 +59,52 @@ public final class MessageTopics implements CommandSink<MessageCommand>, AutoClo
     if (expected.isEmpty()) {
       return Optional.of("nobody subscribes to " + command.topic());
     }
-    if (!expected.equals(command.type())) {
+    String meant = client.commandType(expected);
+    if (!meant.equals(client.commandType(command.type()))) {
       return Optional.of(command.topic() + " carries " + expected + ", not " + command.type());
     }
-    boolean moves = CommandType.of(expected).filter(c -> Motion.class.isAssignableFrom(c.data())).isPresent();
+    boolean moves = CommandType.of(meant).filter(c -> Motion.class.isAssignableFrom(c.data())).isPresent();
     return moves
         ? Optional.of(command.topic() + " moves the robot; drive it with a view that limits and ends the motion")
         : Optional.empty();
   }
 
   private Sent say(MessageCommand command) {
-    if (!(client.schema(command.type()) instanceof SchemaLookup.Found<MessageSchema> found)) {
+    Optional<SaidTopic<?>> topic =
+        Optional.<SaidTopic<?>>ofNullable(topics.get(command.topic())).or(() -> topic(command));
+    if (topic.isEmpty()) {
       return new Sent.Refused("the definition of " + command.type() + " is not known here");
     }
-    DynamicCodec codec = new DynamicCodec(found.schema());
+    topics.put(command.topic(), topic.get());
+    if (!client.knowsListeners() && !topic.get().topic().isHeard()) {
+      return new Sent.Refused("nobody subscribes to " + command.topic());
+    }
     try {
-      topic(command, found.schema()).say(codec.build(command.fields()));
+      topic.get().say(command.fields());
       return new Sent.Out();
-    } catch (MessageException e) {
+    } catch (MessageException | IllegalArgumentException e) {
       return new Sent.Refused(command.type() + " is not filled in like this: " + e.getMessage());
     }
   }
 
-  private PatientTopic topic(MessageCommand command, MessageSchema schema) {
-    return topics.computeIfAbsent(command.topic(),
-        t -> new PatientTopic(client.messages(t, schema)));
+  private Optional<SaidTopic<?>> topic(MessageCommand command) {
+    return client.fields(command.topic(), command.type())
+        .<SaidTopic<?>>map(each -> new SaidTopic<>(new PatientTopic<>(each.opening().get()), each.encoding()::apply))
+        .or(() -> defined(command));
+  }
+
+  private Optional<SaidTopic<?>> defined(MessageCommand command) {
+    if (!(client.schema(command.type()) instanceof SchemaLookup.Found<MessageSchema> found)) {
+      return Optional.empty();
+    }
+    return Optional.of(new SaidTopic<>(new PatientTopic<>(client.messages(command.topic(), found.schema())),
+        new DynamicCodec(found.schema())::build));
   }
 
   /** Says what waited for its listeners, and gives up what is not used. */
   public synchronized void tick() {
-    for (Iterator<PatientTopic> all = topics.values().iterator(); all.hasNext();) {
-      PatientTopic topic = all.next();
+    for (Iterator<SaidTopic<?>> all = topics.values().iterator(); all.hasNext();) {
+      PatientTopic<?> topic = all.next().topic();
       topic.tick();
       if (topic.idleNanos() > IDLE.toNanos()) {
         all.remove();
@@ -98,7 +115,7 @@ public final class MessageTopics implements CommandSink<MessageCommand>, AutoClo
 
   @Override
   public synchronized void close() {
-    topics.values().forEach(PatientTopic::close);
+    topics.values().forEach(said -> said.topic().close());
     topics.clear();
   }
 }

@@ -3,29 +3,30 @@ package org.robotui.message.topic.internal;
 import java.nio.ByteBuffer;
 import java.time.Duration;
 import java.util.Optional;
-import org.robotui.message.DynamicMessage;
 import org.robotui.message.topic.TopicPublisher;
 
 /**
  * A topic that is advertised with its first message, which waits a moment for its listeners to connect. What comes
  * meanwhile takes its place.
+ *
+ * @param <M> the Java value of a message
  */
-final class PatientTopic implements AutoCloseable {
+final class PatientTopic<M> implements AutoCloseable {
   private static final Duration PATIENCE = Duration.ofMillis(1500);
   private static final Duration GATHERING = Duration.ofMillis(150);
 
-  private final TopicPublisher<DynamicMessage> publisher;
+  private final TopicPublisher<M> publisher;
   private final long since = System.nanoTime();
-  private Optional<DynamicMessage> waiting = Optional.empty();
+  private Optional<M> waiting = Optional.empty();
   private long connectedAt;
   private long saidAt = since;
   private boolean ready;
 
-  PatientTopic(TopicPublisher<DynamicMessage> publisher) {
+  PatientTopic(TopicPublisher<M> publisher) {
     this.publisher = publisher;
   }
 
-  void say(DynamicMessage message) {
+  void say(M message) {
     used();
     if (ready) {
       publisher.publish(message);

@@ -17,6 +17,7 @@ import org.robotui.data.Stamp;
 import org.robotui.data.command.Motion;
 import org.robotui.data.command.RelayMessage;
 import org.robotui.data.record.DynamicRecord;
+import org.robotui.message.DynamicMessage;
 import org.robotui.message.MessageSchema;
 import org.robotui.message.SchemaLookup;
 import org.robotui.message.data.CommandType;
@@ -33,7 +34,7 @@ import org.robotui.message.topic.TopicSettings;
 public final class RelayTopics implements CommandSink<RelayMessage>, AutoCloseable {
   private static final Duration IDLE = Duration.ofMinutes(1);
 
-  private record Relay(PatientTopic topic, MessageByNames messages, TypeAgreement agreement, String type,
+  private record Relay(PatientTopic<DynamicMessage> topic, MessageByNames messages, TypeAgreement agreement, String type,
       boolean kept) {
     /** Says it as it came, where the other robot has the same type in the same encoding. */
     boolean saysRaw(RelayMessage said) {
@@ -181,7 +182,7 @@ public final class RelayTopics implements CommandSink<RelayMessage>, AutoCloseab
   private Relay advertised(String topic, String type, MessageSchema schema, boolean kept) {
     Optional.ofNullable(relays.remove(topic)).ifPresent(old -> old.topic().close());
     Relay made =
-        new Relay(new PatientTopic(client.relayed(topic, schema, kept)), new MessageByNames(schema),
+        new Relay(new PatientTopic<>(client.relayed(topic, schema, kept)), new MessageByNames(schema),
             new TypeAgreement(schema), type, kept);
     relays.put(topic, made);
     relayed.add(topic);

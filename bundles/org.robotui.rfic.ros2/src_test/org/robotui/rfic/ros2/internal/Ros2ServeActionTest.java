@@ -112,6 +112,10 @@ class Ros2ServeActionTest extends Ros2Case {
       next().outcome().complete(new CallOutcome.Failed<>("the robot is stopped"));
       assertInstanceOf(Outcome.Refused.class, refused.get(PATIENCE.toSeconds(), TimeUnit.SECONDS));
 
+      CompletableFuture<Outcome<Ros2GoalHandle>> refusedByACode = send(client);
+      next().end(ActionReply.End.REJECTED);
+      assertEquals("ABORTED 9003.0", end(refusedByACode), "a rejection has no result");
+
       CompletableFuture<Outcome<Ros2GoalHandle>> reached = send(client);
       Goal goal = next();
       assertEquals(Optional.of(3.0), goal.asked().at(X).map(x -> ((FieldValue.Num) x).value()));

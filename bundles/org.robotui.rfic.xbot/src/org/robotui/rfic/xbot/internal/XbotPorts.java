@@ -21,6 +21,7 @@ import org.robotui.data.joint.JointState;
 import org.robotui.data.joint.RobotDescription;
 import org.robotui.data.record.DynamicRecord;
 import org.robotui.data.sensor.Imu;
+import org.robotui.message.topic.TopicPorts;
 
 /** The ports of every real-time control; those of sensors are offered as it has them. */
 final class XbotPorts {
@@ -54,7 +55,8 @@ final class XbotPorts {
           Arity.MANY, "stop_plugins stops all plugins: for the stop_call of a robot's safety");
 
   static final List<Port> ALL =
-      List.of(JOINTS, CONTROL, MODEL, PLUGINS, TIMING, DRIVES, CYCLES, COMMAND, VERBS, SERVICES);
+      List.of(JOINTS, CONTROL, MODEL, PLUGINS, TIMING, DRIVES, CYCLES, COMMAND, VERBS, SERVICES, TopicPorts.ACTIONS,
+          TopicPorts.GRAPH);
 
   private XbotPorts() {}
 

@@ -13,6 +13,8 @@ import org.robotui.api.session.LinkChanges;
 import org.robotui.api.session.RobotSession;
 import org.robotui.data.control.Drives;
 import org.robotui.data.joint.RobotDescription;
+import org.robotui.message.topic.TopicPorts;
+import org.robotui.rfic.xbot.internal.follow.FollowActions;
 import org.robotui.xbot.Answer;
 import org.robotui.xbot.Board;
 import org.robotui.xbot.HostReading;
@@ -59,6 +61,9 @@ final class XbotSession implements RobotSession {
     offers.add(context.offers().command(XbotPorts.COMMAND, commands));
     offers.add(context.offers().call(XbotPorts.VERBS, verbs));
     offers.add(context.offers().call(XbotPorts.SERVICES, new StopService(verbs, client::board)));
+    FollowActions actions = new FollowActions(new SupervisorLink(client, ASK));
+    offers.add(context.offers().call(TopicPorts.ACTIONS, actions));
+    offers.add(context.offers().browse(TopicPorts.GRAPH, new XbotBrowser(actions)));
   }
 
   /** Asked once, as it does not change while a control runs. */

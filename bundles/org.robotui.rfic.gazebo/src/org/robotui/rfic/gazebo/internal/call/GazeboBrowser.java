@@ -44,7 +44,7 @@ public final class GazeboBrowser implements Browser {
   @Override
   public List<Item> list(Kind kind) {
     return switch (kind) {
-      case TOPIC -> topics.table().published().entrySet().stream().map(e -> new Item(kind, e.getKey(), e.getValue()))
+      case TOPIC -> topics.table().known().entrySet().stream().map(e -> new Item(kind, e.getKey(), e.getValue()))
           .toList();
       case SERVICE -> graph().services().stream().map(each -> new Item(kind, each.name().name(), each.request()))
           .distinct().sorted((a, b) -> a.name().compareTo(b.name())).toList();

@@ -1,5 +1,6 @@
 package org.robotui.rfic.gazebo.internal.session;
 
+import java.nio.ByteBuffer;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -14,6 +15,8 @@ import org.robotui.message.data.MessageForm;
 import org.robotui.message.ros.geometry_msgs.Twist;
 import org.robotui.message.ros.geometry_msgs.Vector3;
 import org.robotui.message.ros.tf2_msgs.TFMessage;
+import org.robotui.message.payload.PayloadFormat;
+import org.robotui.message.topic.FieldsTopic;
 import org.robotui.message.topic.PromptPublisher;
 import org.robotui.message.topic.TopicClient;
 import org.robotui.message.topic.TopicListener;
@@ -108,6 +111,30 @@ public final class GazeboTopics implements TopicClient {
   @Override
   public TopicPublisher<DynamicMessage> messages(String topic, MessageSchema schema) {
     return PromptPublisher.unheard();
+  }
+
+  /** Their nodes say so to those who publish what they want, and to nobody else where the transport is of version 11. */
+  @Override
+  public boolean knowsListeners() {
+    return false;
+  }
+
+  @Override
+  public String commandType(String type) {
+    return WorldTable.commandType(type);
+  }
+
+  @Override
+  public Optional<FieldsTopic> fields(String topic, String type) {
+    PayloadFormat format = formats.of(type);
+    return format.obstacle().isPresent() ? Optional.empty()
+        : Optional.of(new FieldsTopic(format::write, () -> publishing(topic, type)));
+  }
+
+  private TopicPublisher<ByteBuffer> publishing(String topic, String type) {
+    GazeboPublisher publisher = node.advertise(topic, type);
+    return new PromptPublisher<>((message, patience) -> publisher.publish(TypeFormats.bytes(message)),
+        publisher::subscribers, publisher::close);
   }
 
   @Override

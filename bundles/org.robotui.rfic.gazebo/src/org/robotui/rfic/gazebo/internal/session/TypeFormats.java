@@ -41,7 +41,11 @@ public final class TypeFormats {
    * @throws IllegalArgumentException where it cannot be written
    */
   public byte[] written(String type, Map<String, Object> fields) {
-    ByteBuffer message = of(type).write(fields);
+    return bytes(of(type).write(fields));
+  }
+
+  /** The bytes of a message. */
+  static byte[] bytes(ByteBuffer message) {
     byte[] bytes = new byte[message.remaining()];
     message.get(bytes);
     return bytes;

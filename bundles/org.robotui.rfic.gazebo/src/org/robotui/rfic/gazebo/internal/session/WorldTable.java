@@ -23,6 +23,8 @@ public record WorldTable(GazeboGraph graph, Map<String, String> published) {
   static final WorldTable EMPTY = new WorldTable(GazeboGraph.EMPTY, Map.of());
 
   private static final String TWIST = "geometry_msgs/Twist";
+  /** What those subscribe to who take messages of every type. */
+  private static final String ANY = "google.protobuf.Message";
   private static final String ODOMETRY = "/odometry";
 
   static WorldTable of(GazeboGraph graph) {
@@ -82,15 +84,28 @@ public record WorldTable(GazeboGraph graph, Map<String, String> published) {
     Map<String, String> types = new HashMap<>(published);
     poses().keySet().forEach(types::remove);
     Map<String, String> taken = new HashMap<>();
-    graph.subscriptions().stream().filter(each -> isTwist(each.type()))
-        .forEach(each -> taken.put(each.name().name(), TWIST));
+    graph.subscriptions().forEach(each -> taken.put(each.name().name(), commandType(each.type())));
+    taken.values().removeIf(ANY::equals);
     published.keySet().stream().filter(topic -> topic.startsWith("/model/") && topic.endsWith(ODOMETRY))
         .map(topic -> topic.substring(0, topic.length() - ODOMETRY.length()) + "/cmd_vel")
         .forEach(topic -> taken.put(topic, TWIST));
     return new TopicGraph(types, taken);
   }
 
-  private static boolean isTwist(String type) {
-    return type.equals("gz.msgs.Twist") || type.equals("ignition.msgs.Twist");
+  /** The type of ROS that commands the same; the type itself where there is none. */
+  static String commandType(String type) {
+    return type.equals("gz.msgs.Twist") || type.equals("ignition.msgs.Twist") ? TWIST : type;
+  }
+
+  /**
+   * Topics that somebody publishes, or to which somebody has said to subscribe.
+   *
+   * @return types by name
+   */
+  public Map<String, String> known() {
+    Map<String, String> known = new TreeMap<>(published);
+    graph.subscriptions().stream().filter(each -> !each.type().equals(ANY))
+        .forEach(each -> known.putIfAbsent(each.name().name(), each.type()));
+    return known;
   }
 }

@@ -4,6 +4,7 @@ import java.util.Optional;
 import org.robotui.api.port.ActionReply;
 import org.robotui.message.ActionSchema;
 import org.robotui.message.DynamicMessage;
+import org.robotui.message.RosValue;
 import org.robotui.message.SchemaLookup;
 import org.robotui.message.description.TypeName;
 import org.robotui.message.topic.ActionHosting;
@@ -22,6 +23,7 @@ import org.robotui.ros2.name.Ros2Name;
  */
 public record Ros2ActionHosting(Ros2Node node) implements ActionHosting<TypedAction> {
   private static final String SUFFIX = "Action";
+  private static final String CODE = "error_code";
 
   /** What is {@code XAction} in ROS 1 is {@code X} here. */
   @Override
@@ -61,14 +63,19 @@ public record Ros2ActionHosting(Ros2Node node) implements ActionHosting<TypedAct
       taken.feedback(feedback);
     }
 
+    /** A goal that is rejected has no result in ROS 2: one that says why with a code is aborted, so that it arrives. */
     @Override
     public void end(ActionReply.End end, String text, Optional<DynamicMessage> result) {
       taken.end(switch (end) {
         case SUCCEEDED -> Ros2GoalEnd.SUCCEEDED;
         case ABORTED, LOST -> Ros2GoalEnd.ABORTED;
-        case REJECTED -> Ros2GoalEnd.REJECTED;
+        case REJECTED -> result.filter(Answer::saysWhy).isPresent() ? Ros2GoalEnd.ABORTED : Ros2GoalEnd.REJECTED;
         case PREEMPTED, RECALLED -> Ros2GoalEnd.CANCELED;
       }, result);
+    }
+
+    private static boolean saysWhy(DynamicMessage result) {
+      return result.field(CODE).filter(value -> value instanceof RosValue.Whole code && code.value() != 0).isPresent();
     }
   }
 }
