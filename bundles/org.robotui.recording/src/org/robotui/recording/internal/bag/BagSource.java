@@ -32,7 +32,7 @@ final class BagSource implements ChunkSource {
   @Override
   public LoadedChunk load(ChunkRef ref) throws RecordingException {
     try {
-      LoadedChunk chunk = load(ref.offset(), BagRecord.at(ref.offset(), file, new ByteWindow(file)));
+      LoadedChunk chunk = load(ref.offset(), BagRecord.at(ref.offset(), file, ByteWindow.small(file)));
       damages.tellOtherTimes(ref, chunk);
       return chunk;
     } catch (MalformedRecord e) {
@@ -62,12 +62,13 @@ final class BagSource implements ChunkSource {
       decoded.problem().ifPresent(problem -> damages.add(offset,
           "a chunk is not whole, so that only messages before the damage were read: " + problem));
     }
-    return records(offset, decoded.bytes(), decoded.length());
+    return records(offset, decoded);
   }
 
-  private LoadedChunk records(long offset, byte[] bytes, int length) {
+  private LoadedChunk records(long offset, Decoded chunk) {
+    byte[] bytes = chunk.bytes();
     EntryTable entries = new EntryTable();
-    PackedFields fields = new PackedFields(bytes, 0, length);
+    PackedFields fields = new PackedFields(bytes, chunk.from(), chunk.from() + chunk.length());
     BagMessageHead message = new BagMessageHead(bytes);
     try {
       while (fields.hasMore()) {
