@@ -22,6 +22,7 @@ final class BagSource implements ChunkSource {
   private final BagConnections connections;
   private final DamageList damages;
   private final ChunkDecoder decoder = new ChunkDecoder();
+  private volatile boolean decompresses;
 
   BagSource(FileBytes file, BagConnections connections, DamageList damages) {
     this.file = file;
@@ -54,6 +55,7 @@ final class BagSource implements ChunkSource {
       throw new MalformedRecord("it has " + Math.max(plain, record.length()) + " bytes, more than the "
           + ChunkDecoder.MOST_BYTES + " that are read");
     }
+    decompresses = !ChunkDecoder.isPlain(compression);
     int there = (int) Math.min(record.length(), file.size() - record.data());
     Decoded decoded = decoder.decode(compression, file.read(record.data(), there), 0, there, (int) plain);
     if (there < record.length()) {
@@ -105,6 +107,11 @@ final class BagSource implements ChunkSource {
     } catch (MalformedRecord e) {
       damages.add(offset, "a record in a chunk was left out: " + e.getMessage());
     }
+  }
+
+  @Override
+  public boolean decompresses() {
+    return decompresses;
   }
 
   @Override

@@ -21,8 +21,14 @@ final class ChunkCache {
     this.source = source;
   }
 
-  /** Begins to read what will be asked for next. Where that cannot be read, who asks is told. */
+  /**
+   * Begins to load what will be asked for next. Plain chunks are read as soon as another thread is told of them; the
+   * system reads ahead itself. Where it cannot be read, who asks is told.
+   */
   void ahead(ChunkRef ref) {
+    if (!source.decompresses()) {
+      return;
+    }
     Thread.ofVirtual().start(() -> {
       try {
         get(ref);

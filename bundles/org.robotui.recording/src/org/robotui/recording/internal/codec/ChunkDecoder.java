@@ -56,7 +56,8 @@ public final class ChunkDecoder {
     return complete(out.array(), 0, out.length(), expected, problem);
   }
 
-  private static boolean isPlain(String compression) {
+  /** Whether this word says that nothing is compressed. */
+  public static boolean isPlain(String compression) {
     return compression.isEmpty() || compression.equals("none");
   }
 

@@ -23,6 +23,7 @@ final class McapSource implements ChunkSource {
   private final McapDefinitions definitions;
   private final DamageList damages;
   private final ChunkDecoder decoder = new ChunkDecoder();
+  private volatile boolean decompresses;
 
   McapSource(FileBytes file, McapDefinitions definitions, DamageList damages) {
     this.file = file;
@@ -66,6 +67,7 @@ final class McapSource implements ChunkSource {
     if (!decoder.knows(head.compression())) {
       throw new MalformedRecord("a chunk is compressed by '" + head.compression() + "', which is not known here");
     }
+    decompresses = !ChunkDecoder.isPlain(head.compression());
     int there = (int) Math.min(head.length(), fields.remaining());
     Decoded decoded = decoder.decode(head.compression(), bytes, fields.position(), there, head.plainSize());
     Optional<String> problem = there == head.length() ? decoded.problem()
@@ -128,6 +130,11 @@ final class McapSource implements ChunkSource {
     } catch (MalformedRecord e) {
       damages.add(offset, "a record in a chunk was left out: " + e.getMessage());
     }
+  }
+
+  @Override
+  public boolean decompresses() {
+    return decompresses;
   }
 
   @Override
