@@ -5,7 +5,9 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.robotui.api.host.Host;
@@ -185,7 +187,19 @@ public final class RunningRecording {
       problems.add(dropped + " messages could not be taken in time; choose fewer ports, or a faster disk");
     }
     return new RecordingStatus(series.files(), since, series.bytes(), series.messages(), dropped,
-        collector.heads().stream().map(StreamHead::status).filter(c -> c.messages() > 0 || c.dropped() > 0).toList(),
-        left, problems);
+        channels(), left, problems, collector.leftOut());
+  }
+
+  /** Senders of one topic are apart in the file, and one for who looks how it is going. */
+  private List<RecordingStatus.Channel> channels() {
+    Map<List<String>, RecordingStatus.Channel> topics = new LinkedHashMap<>();
+    collector.heads().stream().map(StreamHead::status).filter(c -> c.messages() > 0 || c.dropped() > 0)
+        .forEach(c -> topics.merge(List.of(c.robot(), c.topic(), c.type()), c, RunningRecording::sum));
+    return List.copyOf(topics.values());
+  }
+
+  private static RecordingStatus.Channel sum(RecordingStatus.Channel one, RecordingStatus.Channel other) {
+    return new RecordingStatus.Channel(one.robot(), one.topic(), one.type(), one.messages() + other.messages(),
+        one.bytes() + other.bytes(), one.dropped() + other.dropped());
   }
 }
