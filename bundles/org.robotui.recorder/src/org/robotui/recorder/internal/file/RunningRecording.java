@@ -25,7 +25,9 @@ import org.slf4j.LoggerFactory;
 /** A recording that is being made. Two threads: one takes what robots send, one writes. */
 public final class RunningRecording {
   private static final Logger LOG = LoggerFactory.getLogger(RunningRecording.class);
-  private static final long MOST_WAITING = 64L << 20;
+  private static final long LEAST_WAITING = 64L << 20;
+  /** At 300 MB/s more than a second, for which systems now and then let nobody write. */
+  private static final long MOST_WAITING = 512L << 20;
   private static final long POLL_MILLIS = 100;
   private static final long LOOK_NANOS = 1_000_000_000L;
   private static final Duration END = Duration.ofMinutes(1);
@@ -43,7 +45,7 @@ public final class RunningRecording {
   private final Disk disk;
   private final FileSeries series;
   private final Instant since = Instant.now();
-  private final ByteQueue queue = new ByteQueue(MOST_WAITING);
+  private final ByteQueue queue = new ByteQueue(waiting());
   private final Collector collector;
   private final Runnable changed;
   private final Consumer<String> ended;
@@ -79,6 +81,10 @@ public final class RunningRecording {
     WallTime time = WallTime.begin();
     series.begin(time.startTime());
     return new RunningRecording(needs, plan, series, time, changed, ended);
+  }
+
+  private static long waiting() {
+    return Math.clamp(Runtime.getRuntime().maxMemory() / 4, LEAST_WAITING, MOST_WAITING);
   }
 
   private void take(Captured message) {
