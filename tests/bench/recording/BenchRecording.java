@@ -1,6 +1,8 @@
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.file.Path;
+import java.util.IdentityHashMap;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Scanner;
 import java.util.Set;
@@ -77,12 +79,13 @@ public final class BenchRecording {
     try (RecordingReader recording = Recordings.open(from, ScanProgress.NONE);
         RecordingWriter writer =
             RecordingWriter.create(to, WriterOptions.defaults().withCompression(ChunkCompression.NONE))) {
+      Map<RecordedChannel, RecordedChannel> channels = new IdentityHashMap<>();
       RecordingCursor cursor = recording.cursor(RecordingInterval.ALWAYS, Set.of());
       for (Optional<RecordedMessage> next = cursor.next(); next.isPresent(); next = cursor.next()) {
         RecordedMessage message = next.get();
-        RecordedChannel channel = message.channel();
-        writer.write(writer.channel(channel.topic(), channel.messageEncoding(), channel.schema(), channel.metadata()),
-            message.logTime(), message.publishTime(), 0, message.data());
+        RecordedChannel channel = channels.computeIfAbsent(message.channel(), from -> writer.channel(from.topic(),
+            from.messageEncoding(), from.schema(), from.metadata()));
+        writer.write(channel, message.logTime(), message.publishTime(), 0, message.data());
       }
     }
     return "{}";

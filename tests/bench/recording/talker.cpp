@@ -1,4 +1,4 @@
-// Publishes at a pace: "BYTES RATE SECONDS" on stdin once somebody listens, and how many that were on stdout.
+// Publishes at a pace: "BYTES RATE SECONDS" on stdin; on stdout "begins" once somebody listens, and how many messages that were.
 #include <chrono>
 #include <iostream>
 #include <thread>
@@ -15,6 +15,7 @@ int main(int argc, char** argv) {
   for (double bytes, rate, seconds; std::cin >> bytes >> rate >> seconds;) {
     while (publisher.getNumSubscribers() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(10));
     std::this_thread::sleep_for(std::chrono::seconds(1));
+    std::cout << "begins" << std::endl;
     std_msgs::String message;
     message.data.assign(static_cast<std::size_t>(bytes), 'x');
     const auto begin = std::chrono::steady_clock::now();

@@ -15,9 +15,10 @@ import java.util.List;
  * @param channels of what it consists, in the order in which they came
  * @param diskLeft bytes that are left where it lies
  * @param problems sentences for users, the gravest first; empty where all is well
+ * @param leftOut streams that are recorded only where a choice names them, and none does: {@code base.cycles}
  */
 public record RecordingStatus(List<Path> files, Instant since, long bytes, long messages, long dropped,
-    List<Channel> channels, long diskLeft, List<String> problems) {
+    List<Channel> channels, long diskLeft, List<String> problems, List<String> leftOut) {
   /**
    * One topic of one robot.
    *
@@ -41,11 +42,30 @@ public record RecordingStatus(List<Path> files, Instant since, long bytes, long 
    * @param channels of what it consists
    * @param diskLeft bytes that are left
    * @param problems sentences for users
+   * @param leftOut streams that are recorded only on request
    */
   public RecordingStatus {
+    leftOut = List.copyOf(leftOut);
     files = List.copyOf(files);
     channels = List.copyOf(channels);
     problems = List.copyOf(problems);
+  }
+
+  /**
+   * Of a recording that leaves nothing out.
+   *
+   * @param files all of it
+   * @param since when it was begun
+   * @param bytes the size of all files
+   * @param messages how many were written
+   * @param dropped how many could not be taken
+   * @param channels of what it consists
+   * @param diskLeft bytes that are left
+   * @param problems sentences for users
+   */
+  public RecordingStatus(List<Path> files, Instant since, long bytes, long messages, long dropped,
+      List<Channel> channels, long diskLeft, List<String> problems) {
+    this(files, since, bytes, messages, dropped, channels, diskLeft, problems, List.of());
   }
 
   /**

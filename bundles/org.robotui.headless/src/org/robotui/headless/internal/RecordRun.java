@@ -3,6 +3,7 @@ package org.robotui.headless.internal;
 import java.io.PrintStream;
 import java.time.Duration;
 import java.time.Instant;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
@@ -24,6 +25,7 @@ final class RecordRun {
   private final PrintStream err;
   private final CountDownLatch stop;
   private String told = "";
+  private List<String> left = List.of();
 
   RecordRun(Recorder recorder, PrintStream out, PrintStream err, CountDownLatch stop) {
     this.recorder = recorder;
@@ -72,6 +74,18 @@ final class RecordRun {
       err.flush();
     }
     told = problem;
+    if (!json) {
+      sayLeftOut(status);
+    }
+  }
+
+  private void sayLeftOut(RecordingStatus status) {
+    if (!status.leftOut().equals(left)) {
+      left = status.leftOut();
+      out.println("left out, as it is recorded on request alone: " + String.join(", ", left)
+          + " (--ports names what is recorded; --ports '*' is everything)");
+      out.flush();
+    }
   }
 
   private static String text(RecordingStatus status) {
@@ -92,6 +106,7 @@ final class RecordRun {
         .put("disk_left", status.diskLeft())
         .put("ended", ended ? 1 : 0)
         .put("problem", String.join("; ", status.problems()))
+        .put("left_out", String.join(", ", status.leftOut()))
         .end();
   }
 
@@ -109,6 +124,7 @@ final class RecordRun {
       status.channels().forEach(channel -> out.println(String.format(Locale.ROOT, "  %9d  %s (%s)%s",
           channel.messages(), channel.topic(), channel.type().isEmpty() ? channel.robot() : channel.type(),
           channel.dropped() == 0 ? "" : ", " + channel.dropped() + " dropped")));
+      sayLeftOut(status);
       status.files().forEach(file -> out.println(file));
     }
     if (!ended.get().reason().isEmpty()) {

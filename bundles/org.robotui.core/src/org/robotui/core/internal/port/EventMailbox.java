@@ -14,8 +14,11 @@ import org.robotui.data.Data;
  * it drops.
  */
 final class EventMailbox<T extends Data> implements Mailbox<T> {
-  static final int CAPACITY = 1024;
+  /** A sixth of a second of what comes 50,000 times a second: for so long, a busy machine may not run who takes it. */
+  static final int CAPACITY = 8192;
   static final long BYTES = 32L << 20;
+  /** What a value without a message is taken for. */
+  private static final long PLAIN = BYTES / CAPACITY;
 
   private final Runnable filled;
   private final Queue<Envelope<T>> queue = new ConcurrentLinkedQueue<>();
@@ -51,7 +54,7 @@ final class EventMailbox<T extends Data> implements Mailbox<T> {
   }
 
   private static long weight(Envelope<?> envelope) {
-    return envelope.raw().map(r -> (long) r.bytes().size()).orElse(0L);
+    return envelope.raw().map(r -> (long) r.bytes().size()).orElse(PLAIN);
   }
 
   @Override

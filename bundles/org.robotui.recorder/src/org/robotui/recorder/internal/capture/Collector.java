@@ -5,6 +5,8 @@ import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.ConcurrentSkipListSet;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 import org.robotui.api.command.Principal;
@@ -14,8 +16,10 @@ import org.robotui.api.host.InterfaceConfig;
 import org.robotui.api.host.PortAccess;
 import org.robotui.api.host.PortStatus;
 import org.robotui.api.host.Ruic;
+import org.robotui.api.port.Intake;
 import org.robotui.api.port.PortKind;
 import org.robotui.api.port.SourceId;
+import org.robotui.api.port.StreamPort;
 import org.robotui.api.record.RecordingChoice;
 import org.robotui.net.thread.Uninterruptibles;
 import org.robotui.recorder.internal.capture.HeadTable.Place;
@@ -43,6 +47,7 @@ public final class Collector implements AutoCloseable {
   private final Host.Subscription faults;
   private final Map<Ruic, PortAccess> accesses = new IdentityHashMap<>();
   private final Map<TapKey, StreamTap> taps = new HashMap<>();
+  private final Set<String> leftOut = new ConcurrentSkipListSet<>();
   private final Thread thread = Thread.ofPlatform().daemon().name("robotui-recorder").unstarted(this::run);
   private volatile boolean closed;
 
@@ -62,6 +67,11 @@ public final class Collector implements AutoCloseable {
   /** The series that were met so far. */
   public List<StreamHead> heads() {
     return shared.heads().all();
+  }
+
+  /** The streams that were met and are recorded only where a choice names them, and none does. */
+  public List<String> leftOut() {
+    return List.copyOf(leftOut);
   }
 
   /** What RobotUI itself has to say. */
@@ -129,15 +139,33 @@ public final class Collector implements AutoCloseable {
       SourceId id = port.port();
       if (port.kind() == PortKind.STREAM && robotOf.containsKey(id.component())
           && ports.mean(id.toString(), id.port(), "/" + id.port())) {
-        taps.computeIfAbsent(new TapKey(ruic, id), key -> tap(key, robotOf.get(id.component()),
-            frameworks.getOrDefault(id.component(), "")));
+        meet(new TapKey(ruic, id), robotOf.get(id.component()), frameworks.getOrDefault(id.component(), ""));
       }
     }
   }
 
+  private void meet(TapKey key, String robot, String framework) {
+    if (taps.containsKey(key)) {
+      return;
+    }
+    if (ports.patterns().isEmpty() && isOnlyOnRequest(key.ruic(), key.port())) {
+      leftOut.add(key.port().toString());
+    } else {
+      taps.put(key, tap(key, robot, framework));
+    }
+  }
+
+  private boolean isOnlyOnRequest(Ruic ruic, SourceId id) {
+    return access(ruic).port(PortKind.STREAM, id)
+        .filter(port -> port instanceof StreamPort<?> stream && stream.intake() == Intake.CHOSEN).isPresent();
+  }
+
+  private PortAccess access(Ruic ruic) {
+    return accesses.computeIfAbsent(ruic, each -> each.access(WHO));
+  }
+
   private StreamTap tap(TapKey key, String robot, String framework) {
-    PortAccess access = accesses.computeIfAbsent(key.ruic(), ruic -> ruic.access(WHO));
-    return new StreamTap(new Place(key.ruic().name(), robot, framework, key.port()), access, shared);
+    return new StreamTap(new Place(key.ruic().name(), robot, framework, key.port()), access(key.ruic()), shared);
   }
 
   /** Takes what is there still; nothing comes to the sink when this has ended. */

@@ -18,6 +18,8 @@ final class HeadTable {
   /** How long a definition is not asked for again that was not known, in nanoseconds. */
   private static final long PATIENCE = 1_000_000_000L;
   private static final String DATA = "robotui.";
+  /** Programs that start again and again would be one more series each time. */
+  private static final int MOST_SENDERS = 64;
 
   /**
    * Where a stream comes from.
@@ -30,15 +32,19 @@ final class HeadTable {
   record Place(String ui, String robot, String framework, SourceId port) {}
 
   /** Several ports may give what comes by one topic: the first one gives it its name. */
-  private record Key(String ui, String component, String topic, String schema, String encoding) {
-    Key(Place place, String topic, String schema, String encoding) {
+  private record Kind(String ui, String component, String topic, String schema, String encoding) {
+    Kind(Place place, String topic, String schema, String encoding) {
       this(place.ui(), place.port().component(), topic, schema, encoding);
     }
   }
 
+  /** Senders of one topic stay apart, as in bags; those after the first ones are one, without a name. */
+  private record Key(Kind kind, String sender) {}
+
   private record Known(StreamHead head, boolean complete, long lookedNanos) {}
 
   private final Map<Key, Known> known = new LinkedHashMap<>();
+  private final Map<Kind, Integer> senders = new HashMap<>();
   private final List<StreamHead> all = new CopyOnWriteArrayList<>();
 
   List<StreamHead> all() {
@@ -55,17 +61,30 @@ final class HeadTable {
 
   /** A definition may become known later: what comes then is another series. */
   StreamHead of(Place place, RawMessage raw) {
-    Key key = new Key(place, topic(place, raw), raw.schema(), raw.encoding());
+    Key key = key(new Kind(place, topic(place, raw), raw.schema(), raw.encoding()), raw.origin().sender());
     Known found = known.get(key);
     if (found != null && (found.complete() || System.nanoTime() - found.lookedNanos() < PATIENCE)) {
       return found.head();
     }
     Optional<RawDefinition> definition = raw.origin().definition().get();
     StreamHead head = found != null && definition.isEmpty() ? found.head()
-        : added(new StreamHead(place.ui(), key.topic(), raw.encoding(), schema(raw, definition),
-            metadata(place, raw.schema(), raw.origin().kept())));
+        : added(new StreamHead(place.ui(), key.kind().topic(), raw.encoding(), schema(raw, definition),
+            metadata(place, raw.schema(), key.sender(), raw.origin().kept())));
     known.put(key, new Known(head, definition.isPresent(), System.nanoTime()));
     return head;
+  }
+
+  private Key key(Kind kind, String sender) {
+    Key own = new Key(kind, sender);
+    if (sender.isEmpty() || known.containsKey(own)) {
+      return own;
+    }
+    int before = senders.getOrDefault(kind, 0);
+    if (before == MOST_SENDERS) {
+      return new Key(kind, "");
+    }
+    senders.put(kind, before + 1);
+    return own;
   }
 
   private StreamHead added(StreamHead head) {
@@ -87,17 +106,20 @@ final class HeadTable {
 
   private StreamHead ofData(Place place, Envelope<?> envelope) {
     String type = envelope.value().getClass().getSimpleName();
-    Key key = new Key(place, "/" + place.ui() + "/" + place.port(), type, DataJson.ENCODING);
+    Key key = new Key(new Kind(place, "/" + place.ui() + "/" + place.port(), type, DataJson.ENCODING), "");
     return known.computeIfAbsent(key, k -> new Known(
-        added(new StreamHead(place.ui(), k.topic(), DataJson.ENCODING,
-            DataJson.schema(DATA + type, DataRecord.of(envelope.value())), metadata(place, type, false))),
+        added(new StreamHead(place.ui(), k.kind().topic(), DataJson.ENCODING,
+            DataJson.schema(DATA + type, DataRecord.of(envelope.value())), metadata(place, type, "", false))),
         true, 0)).head();
   }
 
-  private static Map<String, String> metadata(Place place, String type, boolean latched) {
+  private static Map<String, String> metadata(Place place, String type, String sender, boolean latched) {
     Map<String, String> metadata = new HashMap<>(Map.of("robotui.ui", place.ui(), "robotui.robot", place.robot(),
         "robotui.framework", place.framework(), "robotui.interface", place.port().component(), "robotui.port",
         place.port().port(), "robotui.type", type));
+    if (!sender.isEmpty()) {
+      metadata.put("callerid", sender); // as bags note it
+    }
     if (latched) {
       metadata.put("latching", "1"); // as bags note it: readers deliver the last one to who comes later
     }

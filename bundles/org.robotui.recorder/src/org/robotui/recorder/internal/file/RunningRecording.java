@@ -5,7 +5,9 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.robotui.api.host.Host;
@@ -23,7 +25,9 @@ import org.slf4j.LoggerFactory;
 /** A recording that is being made. Two threads: one takes what robots send, one writes. */
 public final class RunningRecording {
   private static final Logger LOG = LoggerFactory.getLogger(RunningRecording.class);
-  private static final long MOST_WAITING = 64L << 20;
+  private static final long LEAST_WAITING = 64L << 20;
+  /** At 300 MB/s more than a second, for which systems now and then let nobody write. */
+  private static final long MOST_WAITING = 512L << 20;
   private static final long POLL_MILLIS = 100;
   private static final long LOOK_NANOS = 1_000_000_000L;
   private static final Duration END = Duration.ofMinutes(1);
@@ -41,7 +45,7 @@ public final class RunningRecording {
   private final Disk disk;
   private final FileSeries series;
   private final Instant since = Instant.now();
-  private final ByteQueue queue = new ByteQueue(MOST_WAITING);
+  private final ByteQueue queue = new ByteQueue(waiting());
   private final Collector collector;
   private final Runnable changed;
   private final Consumer<String> ended;
@@ -77,6 +81,10 @@ public final class RunningRecording {
     WallTime time = WallTime.begin();
     series.begin(time.startTime());
     return new RunningRecording(needs, plan, series, time, changed, ended);
+  }
+
+  private static long waiting() {
+    return Math.clamp(Runtime.getRuntime().maxMemory() / 4, LEAST_WAITING, MOST_WAITING);
   }
 
   private void take(Captured message) {
@@ -185,7 +193,19 @@ public final class RunningRecording {
       problems.add(dropped + " messages could not be taken in time; choose fewer ports, or a faster disk");
     }
     return new RecordingStatus(series.files(), since, series.bytes(), series.messages(), dropped,
-        collector.heads().stream().map(StreamHead::status).filter(c -> c.messages() > 0 || c.dropped() > 0).toList(),
-        left, problems);
+        channels(), left, problems, collector.leftOut());
+  }
+
+  /** Senders of one topic are apart in the file, and one for who looks how it is going. */
+  private List<RecordingStatus.Channel> channels() {
+    Map<List<String>, RecordingStatus.Channel> topics = new LinkedHashMap<>();
+    collector.heads().stream().map(StreamHead::status).filter(c -> c.messages() > 0 || c.dropped() > 0)
+        .forEach(c -> topics.merge(List.of(c.robot(), c.topic(), c.type()), c, RunningRecording::sum));
+    return List.copyOf(topics.values());
+  }
+
+  private static RecordingStatus.Channel sum(RecordingStatus.Channel one, RecordingStatus.Channel other) {
+    return new RecordingStatus.Channel(one.robot(), one.topic(), one.type(), one.messages() + other.messages(),
+        one.bytes() + other.bytes(), one.dropped() + other.dropped());
   }
 }

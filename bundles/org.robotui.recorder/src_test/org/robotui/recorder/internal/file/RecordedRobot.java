@@ -64,9 +64,13 @@ final class RecordedRobot {
   }
 
   static RawMessage raw(String topic, boolean kept, String content) {
+    return raw(topic, "/node", kept, content);
+  }
+
+  static RawMessage raw(String topic, String sender, boolean kept, String content) {
     return new RawMessage("std_msgs/String", "cdr", bytes(content), RawMessage.Reader.NONE,
-        new RawOrigin(topic, "/node",
-            kept, () -> Optional.of(new RawDefinition("std_msgs/msg/String", "ros2msg", bytes("string data\n")))));
+        new RawOrigin(topic, sender, kept,
+            () -> Optional.of(new RawDefinition("std_msgs/msg/String", "ros2msg", bytes("string data\n")))));
   }
 
   private static Bytes bytes(String text) {

@@ -39,7 +39,7 @@ public final class BagOpener {
   /** Empty where there is none that can be used. A bag that was not finished says so, which is no damage of its own. */
   private static Optional<BagIndex> index(FileBytes file, DamageList damages) throws RecordingException {
     try {
-      BagRecord bag = BagRecord.at(MAGIC.length, file, new ByteWindow(file));
+      BagRecord bag = BagRecord.at(MAGIC.length, file, ByteWindow.small(file));
       if (bag.header().op() != BagFields.BAG) {
         throw new MalformedRecord("the bag does not begin with its header");
       }

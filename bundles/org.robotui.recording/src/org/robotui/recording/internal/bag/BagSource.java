@@ -22,6 +22,7 @@ final class BagSource implements ChunkSource {
   private final BagConnections connections;
   private final DamageList damages;
   private final ChunkDecoder decoder = new ChunkDecoder();
+  private volatile boolean decompresses;
 
   BagSource(FileBytes file, BagConnections connections, DamageList damages) {
     this.file = file;
@@ -32,7 +33,7 @@ final class BagSource implements ChunkSource {
   @Override
   public LoadedChunk load(ChunkRef ref) throws RecordingException {
     try {
-      LoadedChunk chunk = load(ref.offset(), BagRecord.at(ref.offset(), file, new ByteWindow(file)));
+      LoadedChunk chunk = load(ref.offset(), BagRecord.at(ref.offset(), file, ByteWindow.small(file)));
       damages.tellOtherTimes(ref, chunk);
       return chunk;
     } catch (MalformedRecord e) {
@@ -54,6 +55,7 @@ final class BagSource implements ChunkSource {
       throw new MalformedRecord("it has " + Math.max(plain, record.length()) + " bytes, more than the "
           + ChunkDecoder.MOST_BYTES + " that are read");
     }
+    decompresses = !ChunkDecoder.isPlain(compression);
     int there = (int) Math.min(record.length(), file.size() - record.data());
     Decoded decoded = decoder.decode(compression, file.read(record.data(), there), 0, there, (int) plain);
     if (there < record.length()) {
@@ -62,12 +64,13 @@ final class BagSource implements ChunkSource {
       decoded.problem().ifPresent(problem -> damages.add(offset,
           "a chunk is not whole, so that only messages before the damage were read: " + problem));
     }
-    return records(offset, decoded.bytes(), decoded.length());
+    return records(offset, decoded);
   }
 
-  private LoadedChunk records(long offset, byte[] bytes, int length) {
+  private LoadedChunk records(long offset, Decoded chunk) {
+    byte[] bytes = chunk.bytes();
     EntryTable entries = new EntryTable();
-    PackedFields fields = new PackedFields(bytes, 0, length);
+    PackedFields fields = new PackedFields(bytes, chunk.from(), chunk.from() + chunk.length());
     BagMessageHead message = new BagMessageHead(bytes);
     try {
       while (fields.hasMore()) {
@@ -104,6 +107,11 @@ final class BagSource implements ChunkSource {
     } catch (MalformedRecord e) {
       damages.add(offset, "a record in a chunk was left out: " + e.getMessage());
     }
+  }
+
+  @Override
+  public boolean decompresses() {
+    return decompresses;
   }
 
   @Override

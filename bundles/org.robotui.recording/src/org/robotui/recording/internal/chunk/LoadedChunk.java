@@ -10,11 +10,13 @@ import org.robotui.recording.RecordedMessage;
 public final class LoadedChunk {
 
   private final byte[] bytes;
+  private final ByteBuffer view;
   private final EntryTable entries;
   private final int[] order;
 
   LoadedChunk(byte[] bytes, EntryTable entries) {
     this.bytes = bytes;
+    view = ByteBuffer.wrap(bytes).asReadOnlyBuffer();
     this.entries = entries;
     order = entries.byLogTime();
   }
@@ -66,7 +68,7 @@ public final class LoadedChunk {
 
   ByteBuffer data(int ordinal) {
     int entry = order[ordinal];
-    return ByteBuffer.wrap(bytes, entries.from(entry), entries.length(entry)).slice().asReadOnlyBuffer();
+    return view.slice(entries.from(entry), entries.length(entry));
   }
 
   long publishTime(int ordinal) {

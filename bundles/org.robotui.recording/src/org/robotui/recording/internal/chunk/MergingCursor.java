@@ -15,15 +15,32 @@ import org.robotui.recording.RecordingInterval;
 final class MergingCursor implements RecordingCursor {
 
   /** Where it stands in a chunk, the place of the chunk being its order in the file for messages of one time. */
-  private record Head(long time, ChunkRef chunk, int ordinal) {}
+  private static final class Head {
+    private final ChunkRef chunk;
+    private int ordinal;
+    private long time;
+
+    Head(ChunkRef chunk) {
+      this.chunk = chunk;
+    }
+
+    long time() {
+      return time;
+    }
+
+    long place() {
+      return chunk.offset();
+    }
+  }
 
   private final TimeOrder order;
   private final ChunkCache cache;
   private final ChannelFilter filter;
   private final RecordingInterval interval;
   private final PriorityQueue<Head> heads = new PriorityQueue<>(
-      Comparator.comparingLong(Head::time).thenComparingLong(head -> head.chunk().offset()));
+      Comparator.comparingLong(Head::time).thenComparingLong(Head::place));
   private int next;
+  private boolean goesOn;
   private ChunkRef at;
   private LoadedChunk loaded;
 
@@ -40,36 +57,69 @@ final class MergingCursor implements RecordingCursor {
     while (next < order.size() && mayBeNext(order.get(next))) {
       open(order.get(next++));
     }
-    Head head = heads.poll();
+    Head head = heads.peek();
     if (head == null) {
       return Optional.empty();
     }
-    LoadedChunk chunk = chunk(head.chunk());
-    goOn(chunk, head.chunk(), head.ordinal() + 1);
-    return Optional.of(chunk.message(head.ordinal(), filter.channel(chunk.channel(head.ordinal()))));
+    LoadedChunk chunk = chunk(head.chunk);
+    int ordinal = head.ordinal;
+    boolean alone = heads.size() == 1;
+    if (!alone) {
+      heads.poll();
+    }
+    boolean more = goOn(chunk, head, ordinal + 1);
+    if (more && !alone) {
+      heads.add(head);
+    } else if (!more && alone) {
+      heads.poll();
+    }
+    return Optional.of(chunk.message(ordinal, filter.channel(chunk.channel(ordinal))));
   }
 
   private boolean mayBeNext(ChunkRef chunk) {
     Head head = heads.peek();
-    return head == null ? chunk.start() <= interval.end() : chunk.start() <= head.time();
+    return chunk.start() <= (head == null ? interval.end() : head.time);
   }
 
   private void open(ChunkRef chunk) throws RecordingException {
-    if (chunk.end() >= interval.start() && filter.wants(chunk)) {
+    if (isWanted(chunk)) {
       LoadedChunk opened = chunk(chunk);
-      goOn(opened, chunk, opened.firstAt(interval.start()));
+      Head head = new Head(chunk);
+      if (goOn(opened, head, opened.firstAt(interval.start()))) {
+        heads.add(head);
+      }
+      readAhead();
     }
   }
 
-  /** Stands at the next message in this chunk that is wanted. */
-  private void goOn(LoadedChunk chunk, ChunkRef ref, int from) {
+  private boolean isWanted(ChunkRef chunk) {
+    return chunk.end() >= interval.start() && filter.wants(chunk);
+  }
+
+  /** Who has asked for a second chunk will ask for more: the next one is read meanwhile. */
+  private void readAhead() {
+    int place = next;
+    while (goesOn && place < order.size() && !isWanted(order.get(place))) {
+      place++;
+    }
+    if (goesOn && place < order.size() && order.get(place).start() <= interval.end()) {
+      cache.ahead(order.get(place));
+    }
+    goesOn = true;
+  }
+
+  /** Stands at the next message in this chunk that is wanted. Returns whether there is one. */
+  private boolean goOn(LoadedChunk chunk, Head head, int from) {
     int ordinal = from;
     while (ordinal < chunk.size() && !filter.wants(chunk.channel(ordinal))) {
       ordinal++;
     }
-    if (ordinal < chunk.size() && chunk.logTime(ordinal) <= interval.end()) {
-      heads.add(new Head(chunk.logTime(ordinal), ref, ordinal));
+    if (ordinal >= chunk.size() || chunk.logTime(ordinal) > interval.end()) {
+      return false;
     }
+    head.ordinal = ordinal;
+    head.time = chunk.logTime(ordinal);
+    return true;
   }
 
   private LoadedChunk chunk(ChunkRef ref) throws RecordingException {

@@ -31,7 +31,7 @@ public final class MessageUnpacking {
         if (plain.length() > ChunkDecoder.MOST_BYTES - from) {
           throw new MalformedRecord("the messages around it are more than " + ChunkDecoder.MOST_BYTES + " bytes");
         }
-        bytes.raw(plain.bytes(), 0, plain.length());
+        bytes.raw(plain.bytes(), plain.from(), plain.length());
         entries.add(channel, packed.logTime(i), packed.publishTime(i), packed.sequence(i), from,
             plain.length());
       } catch (MalformedRecord e) {

@@ -2,7 +2,7 @@ package org.robotui.recording.internal.chunk;
 
 import java.util.Comparator;
 import java.util.List;
-import java.util.stream.IntStream;
+import java.util.function.IntPredicate;
 
 /** Chunks in order of their first times, and how far those up to each one reach. Immutable. */
 final class TimeOrder {
@@ -34,22 +34,26 @@ final class TimeOrder {
 
   /** How many chunks begin at a time or before it. */
   int until(long time) {
-    int low = 0;
-    int high = chunks.size();
-    while (low < high) {
-      int middle = (low + high) >>> 1;
-      if (chunks.get(middle).start() <= time) {
-        low = middle + 1;
-      } else {
-        high = middle;
-      }
-    }
-    return low;
+    return firstWhere(place -> chunks.get(place).start() > time);
   }
 
   /** The first chunk that may have something at a time or after it. */
   int from(long time) {
-    return IntStream.range(0, reach.length).filter(place -> reach[place] >= time).findFirst()
-        .orElse(reach.length);
+    return firstWhere(place -> reach[place] >= time);
+  }
+
+  /** The first place from which on something is so. */
+  private int firstWhere(IntPredicate so) {
+    int low = 0;
+    int high = chunks.size();
+    while (low < high) {
+      int middle = (low + high) >>> 1;
+      if (so.test(middle)) {
+        high = middle;
+      } else {
+        low = middle + 1;
+      }
+    }
+    return low;
   }
 }

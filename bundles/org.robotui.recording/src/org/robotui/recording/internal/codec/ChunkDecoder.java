@@ -6,7 +6,6 @@ import com.github.luben.zstd.ZstdInputStreamNoFinalizer;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
-import java.util.Arrays;
 import java.util.Optional;
 import org.apache.commons.compress.compressors.bzip2.BZip2CompressorInputStream;
 
@@ -29,13 +28,12 @@ public final class ChunkDecoder {
   }
 
   /**
-   * @param compressed from 0
+   * @param compressed is what comes out, where nothing is compressed
    * @param expected how many bytes the file says that come out, at most {@link #MOST_BYTES}
    */
   public Decoded decode(String compression, byte[] compressed, int from, int length, int expected) {
     if (isPlain(compression)) {
-      byte[] plain = from == 0 ? compressed : Arrays.copyOfRange(compressed, from, from + length);
-      return complete(plain, length, expected, Optional.empty());
+      return complete(compressed, from, length, expected, Optional.empty());
     }
     if (compression.equals("zstd")) {
       Optional<Decoded> whole = zstdAtOnce(compressed, from, length, expected);
@@ -55,17 +53,18 @@ public final class ChunkDecoder {
       // the libraries say by many an exception that bytes are no good
       problem = Optional.of("its " + compression + " is damaged: " + e.getMessage());
     }
-    return complete(out.array(), out.length(), expected, problem);
+    return complete(out.array(), 0, out.length(), expected, problem);
   }
 
-  private static boolean isPlain(String compression) {
+  /** Whether this word says that nothing is compressed. */
+  public static boolean isPlain(String compression) {
     return compression.isEmpty() || compression.equals("none");
   }
 
-  private static Decoded complete(byte[] bytes, int length, int expected, Optional<String> problem) {
+  private static Decoded complete(byte[] bytes, int from, int length, int expected, Optional<String> problem) {
     Optional<String> lacking = problem.isPresent() || length == expected ? problem
         : Optional.of("it has " + length + " bytes after decompression where " + expected + " should be");
-    return new Decoded(bytes, length, lacking);
+    return new Decoded(bytes, from, length, lacking);
   }
 
   /** Twice as fast as a stream. Lengths that nobody has seen are left to the stream, which makes room as it goes. */
@@ -76,7 +75,7 @@ public final class ChunkDecoder {
     byte[] out = new byte[expected];
     try {
       long written = Zstd.decompressByteArray(out, 0, expected, compressed, from, length);
-      return written == expected ? Optional.of(new Decoded(out, expected, Optional.empty())) : Optional.empty();
+      return written == expected ? Optional.of(new Decoded(out, 0, expected, Optional.empty())) : Optional.empty();
     } catch (ZstdException e) {
       // the stream says what is wrong, and gives what comes before
       return Optional.empty();

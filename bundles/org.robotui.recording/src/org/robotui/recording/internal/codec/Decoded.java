@@ -5,8 +5,9 @@ import java.util.Optional;
 /**
  * What came out of a decompression.
  *
- * @param bytes begin at 0
+ * @param bytes what holds them
+ * @param from where they begin
  * @param length how many of them there are
  * @param problem why there are not more, where there should be
  */
-public record Decoded(byte[] bytes, int length, Optional<String> problem) {}
+public record Decoded(byte[] bytes, int from, int length, Optional<String> problem) {}

@@ -10,15 +10,27 @@ import org.robotui.recording.RecordingException;
 public final class ByteWindow {
 
   private static final int LENGTH = 1 << 18;
+  private static final int SHORT = 1 << 10;
 
   private final FileBytes file;
-  private final byte[] bytes = new byte[LENGTH];
-  private final ByteBuffer view = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
+  private final byte[] bytes;
+  private final ByteBuffer view;
   private long start;
   private int filled;
 
-  public ByteWindow(FileBytes file) {
+  private ByteWindow(FileBytes file, int length) {
     this.file = file;
+    bytes = new byte[length];
+    view = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
+  }
+
+  public ByteWindow(FileBytes file) {
+    this(file, LENGTH);
+  }
+
+  /** One for who looks at a few bytes in one place. */
+  public static ByteWindow small(FileBytes file) {
+    return new ByteWindow(file, SHORT);
   }
 
   public int u8(long offset) throws RecordingException {
@@ -55,7 +67,7 @@ public final class ByteWindow {
         throw new RecordingException(file.path(), offset, "the file ends where " + length + " bytes are wanted");
       }
       filled = 0;
-      int most = (int) Math.min(LENGTH, file.size() - offset);
+      int most = (int) Math.min(bytes.length, file.size() - offset);
       file.read(offset, bytes, most);
       start = offset;
       filled = most;

@@ -11,6 +11,9 @@ import org.robotui.recording.RecordingException;
  */
 public final class FileBytes implements AutoCloseable {
 
+  /** For more at once the system's memory is asked for anew each time, and every page of it is touched. */
+  private static final int PIECE = 1 << 16;
+
   private final Path path;
   private final RandomAccessFile file;
   private final long size;
@@ -57,7 +60,9 @@ public final class FileBytes implements AutoCloseable {
     synchronized (file) {
       try {
         file.seek(offset);
-        file.readFully(into, 0, length);
+        for (int done = 0; done < length; done += PIECE) {
+          file.readFully(into, done, Math.min(PIECE, length - done));
+        }
       } catch (IOException e) {
         throw new RecordingException(path, "cannot be read at byte " + offset, e);
       }

@@ -23,6 +23,7 @@ final class McapSource implements ChunkSource {
   private final McapDefinitions definitions;
   private final DamageList damages;
   private final ChunkDecoder decoder = new ChunkDecoder();
+  private volatile boolean decompresses;
 
   McapSource(FileBytes file, McapDefinitions definitions, DamageList damages) {
     this.file = file;
@@ -47,7 +48,7 @@ final class McapSource implements ChunkSource {
       byte[] bytes = file.read(offset, (int) length);
       return switch (bytes[0]) {
         case McapFormat.CHUNK -> chunk(offset, bytes);
-        case McapFormat.MESSAGE, McapFormat.SCHEMA, McapFormat.CHANNEL -> records(offset, bytes, bytes.length);
+        case McapFormat.MESSAGE, McapFormat.SCHEMA, McapFormat.CHANNEL -> records(offset, bytes, 0, bytes.length);
         default -> throw new MalformedRecord("there is no chunk where the index has one");
       };
     } catch (MalformedRecord e) {
@@ -66,21 +67,22 @@ final class McapSource implements ChunkSource {
     if (!decoder.knows(head.compression())) {
       throw new MalformedRecord("a chunk is compressed by '" + head.compression() + "', which is not known here");
     }
+    decompresses = !ChunkDecoder.isPlain(head.compression());
     int there = (int) Math.min(head.length(), fields.remaining());
     Decoded decoded = decoder.decode(head.compression(), bytes, fields.position(), there, head.plainSize());
     Optional<String> problem = there == head.length() ? decoded.problem()
         : Optional.of("the file ends in it, " + (head.length() - there) + " bytes early");
     if (problem.isPresent()) {
       damages.add(offset, "a chunk is not whole, so that only messages before the damage were read: " + problem.get());
-    } else if (head.sum() != 0 && head.sum() != sum(decoded.bytes(), 0, decoded.length())) {
+    } else if (head.sum() != 0 && head.sum() != sum(decoded.bytes(), decoded.from(), decoded.length())) {
       throw new MalformedRecord("the checksum of a chunk is wrong, so that its messages were left out");
     }
-    return records(offset, decoded.bytes(), decoded.length());
+    return records(offset, decoded.bytes(), decoded.from(), decoded.length());
   }
 
-  private LoadedChunk records(long offset, byte[] bytes, int length) {
+  private LoadedChunk records(long offset, byte[] bytes, int from, int length) {
     EntryTable entries = new EntryTable();
-    PackedFields fields = new PackedFields(bytes, 0, length);
+    PackedFields fields = new PackedFields(bytes, from, from + length);
     try {
       while (fields.hasMore()) {
         int code = fields.u8("the code of a record");
@@ -88,8 +90,8 @@ final class McapSource implements ChunkSource {
         if (code == McapFormat.MESSAGE && size >= McapFormat.MESSAGE_HEAD) {
           message(fields, size, entries, offset);
         } else {
-          int from = fields.skip(size, "a record");
-          other(code, bytes, from, (int) size, offset);
+          int begin = fields.skip(size, "a record");
+          other(code, bytes, begin, (int) size, offset);
         }
       }
     } catch (MalformedRecord e) {
@@ -128,6 +130,11 @@ final class McapSource implements ChunkSource {
     } catch (MalformedRecord e) {
       damages.add(offset, "a record in a chunk was left out: " + e.getMessage());
     }
+  }
+
+  @Override
+  public boolean decompresses() {
+    return decompresses;
   }
 
   @Override

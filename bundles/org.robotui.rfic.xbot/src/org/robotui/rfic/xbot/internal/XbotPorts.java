@@ -4,6 +4,7 @@ import java.util.List;
 import org.robotui.api.port.Arity;
 import org.robotui.api.port.CallPort;
 import org.robotui.api.port.CommandPort;
+import org.robotui.api.port.Intake;
 import org.robotui.api.port.PluginReply;
 import org.robotui.api.port.PluginRequest;
 import org.robotui.api.port.Port;
@@ -41,7 +42,7 @@ final class XbotPorts {
       new StreamPort<>("timing", LoopTiming.class, Arity.MANY, "how well the control keeps its time");
   static final StreamPort<DynamicRecord> CYCLES =
       new StreamPort<>("cycles", DynamicRecord.class, Arity.MANY,
-          "every cycle of the control with all joints, for recordings and plots");
+          "every cycle of the control with all joints, for recordings that name it and for plots", Intake.CHOSEN);
   static final StreamPort<Drives> DRIVES =
       new StreamPort<>("drives", Drives.class, Arity.MANY, "where the drives of the joints stand");
   static final CommandPort<JointCommand> COMMAND =

@@ -33,7 +33,12 @@ public record RecordWords(boolean on, String text, String hint) {
     Path file = status.file();
     String problems = status.problems().isEmpty() ? "" : "\n" + String.join("\n", status.problems());
     return new RecordWords(true, time(Duration.between(status.since(), now)) + "   " + size(status.bytes()),
-        "Recording to " + file + "\n" + size(status.diskLeft()) + " left on the disk" + problems);
+        "Recording to " + file + "\n" + size(status.diskLeft()) + " left on the disk" + left(status) + problems);
+  }
+
+  private static String left(RecordingStatus status) {
+    return status.leftOut().isEmpty() ? ""
+        : "\nNot recorded, as it is on request alone: " + String.join(", ", status.leftOut());
   }
 
   /** Minutes and seconds, as clocks of players have them. */
