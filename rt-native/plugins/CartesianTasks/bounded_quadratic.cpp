@@ -8,7 +8,7 @@ namespace robotui::rt::plugins {
 namespace {
 
 constexpr double kRest = 1e-10;      // of the function's distance: a shorter step is none
-constexpr double kParallel = 1e-10;  // cosine below which a row does not change along a step
+constexpr double kParallel = 1e-13;  // cosine below which a row does not change along a step
 constexpr double kEqual = 1e-12;     // bounds that are so near to each other are one value
 
 }  // namespace

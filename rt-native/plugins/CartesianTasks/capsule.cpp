@@ -7,9 +7,9 @@
 namespace robotui::rt::plugins {
 namespace {
 
-constexpr double kPoint = 1e-12;      // square of a length that is none
-constexpr double kRounder = 1.15;     // radius of a capsule by that of the cylinder in it: rounder, but shorter
-constexpr double kThin = 0.03;        // m of half a side that is covered by one row
+constexpr double kPoint = 1e-12;   // square of a length that is none
+constexpr double kRounder = 1.15;  // radius of a capsule by that of the cylinder in it: rounder, but shorter
+constexpr double kThin = 0.03;     // m of half a side that is covered by one row
 constexpr double kMostInARow = 4;
 
 // Covers what lies along the axis up to `half` on both sides, nowhere further from it than `radius`.

@@ -17,8 +17,8 @@ struct Capsule {
 };
 
 struct CapsuleDistance {
-  double metres;           // below zero where they overlap
-  Eigen::Vector3d first;   // on the segment of each, where they are nearest
+  double metres;          // below zero where they overlap
+  Eigen::Vector3d first;  // on the segment of each, where they are nearest
   Eigen::Vector3d second;
 };
 

@@ -8,9 +8,9 @@
 namespace robotui::rt::plugins {
 namespace {
 
-constexpr double kGain = 10;      // 1/s, with which an error of the frame decays
-constexpr double kThere = 1e-3;   // m and rad
-constexpr double kBraking = 0.2;  // s in which the path comes to rest at its target
+constexpr double kGain = 10;       // 1/s, with which an error of the frame decays
+constexpr double kThere = 1e-3;    // m and rad
+constexpr double kBraking = 0.2;   // s in which the path comes to rest at its target
 constexpr double kSlowest = 0.02;  // of its speed, with which the path arrives
 
 LinkId findLink(const ModelInterface& model, const std::string& name) {
@@ -91,8 +91,7 @@ SpeedLimits CartesianTask::speedsNow() const noexcept {
 void CartesianTask::put(double period, Eigen::Ref<Eigen::MatrixXd> rows, Eigen::Ref<Eigen::VectorXd> wanted) noexcept {
   const Twist behind = masked(poseDifference(at_, path_.now()));
   const bool is_led = isLedByVelocity();
-  const Twist along =
-      is_led ? path_.follow(behind, velocity_, period) : path_.advance(behind, speedsNow(), period);
+  const Twist along = is_led ? path_.follow(behind, velocity_, period) : path_.advance(behind, speedsNow(), period);
   if (is_led) seconds_left_ -= period;
   const Twist twist = along + kGain * masked(poseDifference(at_, path_.now()));
   Eigen::Index row = 0;

@@ -13,8 +13,8 @@ namespace robotui::rt::plugins {
 struct TaskDescription {
   std::string name;
   std::string link;
-  std::string base;                                          // the link whose frame it is in
-  int priority = 1;                                          // from 1, which comes first
+  std::string base;                                              // the link whose frame it is in
+  int priority = 1;                                              // from 1, which comes first
   std::array<bool, 6> mask{true, true, true, true, true, true};  // x y z roll pitch yaw, about the axes of the base
   SpeedLimits speeds{0.1, 0.5};
   double timeout = 0.3;  // s after which a velocity ends that is not said again

@@ -137,8 +137,10 @@ void CartesianTasks::findHindrance(Task& task, const LevelOutcome& outcome, bool
     task.which = i;
     return;
   }
-  if (outcome.is_lost && !is_first) task.hindrance = Hindrance::kPriority;
-  else if (outcome.is_lost || outcome.is_damped) task.hindrance = Hindrance::kSingular;
+  if (outcome.is_lost && !is_first)
+    task.hindrance = Hindrance::kPriority;
+  else if (outcome.is_lost || outcome.is_damped)
+    task.hindrance = Hindrance::kSingular;
 }
 
 void CartesianTasks::solvePosture() noexcept {
@@ -164,8 +166,8 @@ bool CartesianTasks::on_command(std::string_view words) {
 }
 
 CartesianTasks::Task* CartesianTasks::findTask(std::string_view name) noexcept {
-  const auto found =
-      std::find_if(tasks_.begin(), tasks_.end(), [&](const Task& task) { return task.does.description().name == name; });
+  const auto found = std::find_if(tasks_.begin(), tasks_.end(),
+                                  [&](const Task& task) { return task.does.description().name == name; });
   return found == tasks_.end() ? nullptr : &*found;
 }
 

@@ -41,7 +41,7 @@ class MovedJoints {
 
   std::vector<Moved> joints_;
   std::vector<std::pair<const Joint*, int>> others_;  // and where they are in the model
-  Eigen::VectorXd positions_;  // of the model
+  Eigen::VectorXd positions_;                         // of the model
 };
 
 }  // namespace robotui::rt::plugins

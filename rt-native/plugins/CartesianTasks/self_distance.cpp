@@ -6,7 +6,7 @@
 namespace robotui::rt::plugins {
 namespace {
 
-constexpr double kGain = 4;        // 1/s: how fast two parts may come nearer, by the way that is left
+constexpr double kGain = 4;         // 1/s: how fast two parts may come nearer, by the way that is left
 constexpr double kTouching = 1e-9;  // m between segments that cross each other
 
 }  // namespace
@@ -17,8 +17,15 @@ SelfDistance::SelfDistance(const config::RobotDescription& robot, const ModelInt
   const RigidTree tree = buildRigidTree(robot);
   frames_ = tree.links;
   for (const RigidBody& body : tree.bodies)
-    parts_.push_back({body.name, model.findLink(body.name), body.parent, body.joint, {}, {}, Eigen::Vector3d::Zero(),
-                      Eigen::MatrixXd::Zero(6, model.getDofs()), false});
+    parts_.push_back({body.name,
+                      model.findLink(body.name),
+                      body.parent,
+                      body.joint,
+                      {},
+                      {},
+                      Eigen::Vector3d::Zero(),
+                      Eigen::MatrixXd::Zero(6, model.getDofs()),
+                      false});
   for (const CollisionShape& shape : tree.shapes) {
     auto& into = parts_[static_cast<std::size_t>(shape.body)].capsules;
     for (const Capsule& capsule : capsulesOf(shape)) into.push_back(capsule);
@@ -27,7 +34,8 @@ SelfDistance::SelfDistance(const config::RobotDescription& robot, const ModelInt
     const auto a = frames_.find(first);
     const auto b = frames_.find(second);
     if (a == frames_.end() || b == frames_.end()) continue;
-    disabled_.emplace_back(std::minmax(static_cast<std::size_t>(a->second.body), static_cast<std::size_t>(b->second.body)));
+    disabled_.emplace_back(
+        std::minmax(static_cast<std::size_t>(a->second.body), static_cast<std::size_t>(b->second.body)));
   }
 }
 
@@ -53,7 +61,7 @@ std::vector<bool> SelfDistance::movedBy(std::size_t part, const std::vector<int>
 bool SelfDistance::isPair(std::size_t a, std::size_t b) const noexcept {
   if (parts_[a].capsules.empty() || parts_[b].capsules.empty()) return false;
   if (parts_[b].parent == static_cast<int>(a)) return false;
-  return std::find(disabled_.begin(), disabled_.end(), Pair(a, b)) == disabled_.end();
+  return std::find(disabled_.begin(), disabled_.end(), std::pair(a, b)) == disabled_.end();
 }
 
 void SelfDistance::findPairs(const ModelInterface& model, const std::vector<int>& joints) {
@@ -64,8 +72,9 @@ void SelfDistance::findPairs(const ModelInterface& model, const std::vector<int>
   pairs_.clear();
   for (std::size_t b = 0; b < parts_.size(); ++b) {
     for (std::size_t a = 0; a < b; ++a) {
-      if (isPair(a, b) && movedBy(a, joints) != movedBy(b, joints) && nearest({a, b}).metres > 0)
-        pairs_.emplace_back(a, b);
+      if (!isPair(a, b) || movedBy(a, joints) == movedBy(b, joints)) continue;
+      const double metres = nearest(a, b).metres;
+      if (metres > 0) pairs_.push_back({a, b, metres < limits_.least ? metres / 2 : limits_.least});
     }
   }
 }
@@ -84,11 +93,11 @@ void SelfDistance::update(const ModelInterface& model) noexcept {
   }
 }
 
-CapsuleDistance SelfDistance::nearest(const Pair& pair) const noexcept {
+CapsuleDistance SelfDistance::nearest(std::size_t a, std::size_t b) const noexcept {
   CapsuleDistance least{std::numeric_limits<double>::infinity(), Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
-  for (const Capsule& a : parts_[pair.first].now) {
-    for (const Capsule& b : parts_[pair.second].now) {
-      const CapsuleDistance found = distanceBetween(a, b);
+  for (const Capsule& first : parts_[a].now) {
+    for (const Capsule& second : parts_[b].now) {
+      const CapsuleDistance found = distanceBetween(first, second);
       if (found.metres < least.metres) least = found;
     }
   }
@@ -115,14 +124,14 @@ void SelfDistance::constrain(const ModelInterface& model, TaskHierarchy& hierarc
   update(model);
   near_count_ = 0;
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
-    const CapsuleDistance distance = nearest(pairs_[i]);
+    const CapsuleDistance distance = nearest(pairs_[i].first, pairs_[i].second);
     if (distance.metres < limits_.slow) keep({i, distance});
   }
   const Eigen::Index offset = model.getDofs() - model.getJointNum();
   for (Eigen::Index row = 0; row < near_count_; ++row) {
-    const auto [a, b] = ends(row);
-    const Part& first = fresh(a, model);
-    const Part& second = fresh(b, model);
+    const Pair& pair = ends(row);
+    const Part& first = fresh(pair.first, model);
+    const Part& second = fresh(pair.second, model);
     const CapsuleDistance& distance = near_[static_cast<std::size_t>(row)].distance;
     Eigen::Vector3d away = distance.second - distance.first;
     if (away.norm() < kTouching) away = second.origin - first.origin;
@@ -135,13 +144,13 @@ void SelfDistance::constrain(const ModelInterface& model, TaskHierarchy& hierarc
           away.dot(first.jacobian.col(column).head<3>() - second.jacobian.col(column).head<3>()) +
           by_first.dot(first.jacobian.col(column).tail<3>()) - by_second.dot(second.jacobian.col(column).tail<3>());
     }
-    hierarchy.constrain(rows_.row(row), kGain * (distance.metres - limits_.least));
+    hierarchy.constrain(rows_.row(row), kGain * (distance.metres - pair.least));
   }
 }
 
 std::pair<std::string_view, std::string_view> SelfDistance::names(Eigen::Index row) const noexcept {
-  const auto [a, b] = ends(row);
-  return {parts_[a].name, parts_[b].name};
+  const Pair& pair = ends(row);
+  return {parts_[pair.first].name, parts_[pair.second].name};
 }
 
 }  // namespace robotui::rt::plugins

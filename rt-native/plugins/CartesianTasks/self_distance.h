@@ -21,7 +21,7 @@ struct DistanceLimits {
 
 // The parts are the bodies between joints, each as capsules of its primitives of <collision>. Two of them are a pair
 // unless one carries the other, the SRDF has disabled their collisions, or they overlap in the posture of the model
-// when pairs are looked for.
+// when pairs are looked for; one that is nearer there than the least distance may come half as near as it is.
 class SelfDistance {
  public:
   static constexpr Eigen::Index kMostNear = 8;  // pairs that a cycle looks after, the nearest ones
@@ -30,8 +30,8 @@ class SelfDistance {
 
   // Capsules in the frame of a link, for one whose <collision> has none. False where there is no such link.
   bool add(const std::string& link, const Capsule& capsule);
-  // After all is added, with the model in a posture in which nothing collides. `joints` are the moved ones, by places in
-  // the model: of parts that none of them moves against each other no pair is made.
+  // After all is added, with the model in a posture in which nothing collides. `joints` are the moved ones, by places
+  // in the model: of parts that none of them moves against each other no pair is made.
   void findPairs(const ModelInterface& model, const std::vector<int>& joints);
 
   std::size_t pairs() const noexcept { return pairs_.size(); }
@@ -63,20 +63,24 @@ class SelfDistance {
     CapsuleDistance distance{};
   };
 
-  using Pair = std::pair<std::size_t, std::size_t>;
+  struct Pair {
+    std::size_t first = 0;
+    std::size_t second = 0;
+    double least = 0;
+  };
 
   void update(const ModelInterface& model) noexcept;
-  CapsuleDistance nearest(const Pair& pair) const noexcept;
+  CapsuleDistance nearest(std::size_t a, std::size_t b) const noexcept;
   void keep(const Near& found) noexcept;
   bool isPair(std::size_t a, std::size_t b) const noexcept;
   std::vector<bool> movedBy(std::size_t part, const std::vector<int>& joints) const;
   Part& fresh(std::size_t part, const ModelInterface& model) noexcept;
-  Pair ends(Eigen::Index row) const noexcept { return pairs_[near_[static_cast<std::size_t>(row)].pair]; }
+  const Pair& ends(Eigen::Index row) const noexcept { return pairs_[near_[static_cast<std::size_t>(row)].pair]; }
 
   DistanceLimits limits_;
   std::map<std::string, LinkFrame> frames_;
   std::vector<Part> parts_;
-  std::vector<Pair> disabled_;
+  std::vector<std::pair<std::size_t, std::size_t>> disabled_;
   std::vector<Pair> pairs_;
   std::vector<int> joints_;
   std::array<Near, kMostNear> near_{};

@@ -28,8 +28,10 @@ void CartesianTasks::say() noexcept {
     if (task.does.isThere() && !is_held) continue;
     if (late == nullptr || (is_held && late->hindrance == Hindrance::kNone)) late = &task;
   }
-  if (late != nullptr && (late->hindrance != Hindrance::kNone || !late->does.isLedByVelocity())) sayOf(*late);
-  else status_.assign(is_led ? "moving with a velocity" : "all tasks are at their targets");
+  if (late != nullptr && (late->hindrance != Hindrance::kNone || !late->does.isLedByVelocity()))
+    sayOf(*late);
+  else
+    status_.assign(is_led ? "moving with a velocity" : "all tasks are at their targets");
 }
 
 void CartesianTasks::sayOf(const Task& task) noexcept {
@@ -42,9 +44,7 @@ void CartesianTasks::sayOf(const Task& task) noexcept {
   status_.append(" is ").append(number(task.does.metres())).append(" m and ");
   status_.append(number(task.does.radians())).append(" rad from its target: ");
   switch (task.hindrance) {
-    case Hindrance::kLimit:
-      status_.append(joints_->joint(task.which).name()).append(" is at its limit");
-      break;
+    case Hindrance::kLimit: status_.append(joints_->joint(task.which).name()).append(" is at its limit"); break;
     case Hindrance::kNear: {
       const auto [first, second] = distance_->names(task.which);
       status_.append(first).append(" and ").append(second).append(" are ");

@@ -10,7 +10,7 @@ constexpr double kNothing = 1e-9;      // a pivot that is no direction
 constexpr double kSingular = 0.05;     // a pivot below which a level is damped
 constexpr double kMostDamping = 0.05;  // at the singularity itself
 constexpr double kLeastDamping = 1e-4;
-constexpr double kSlowness = 0.03;  // how little a level gives of its direction to be faster: its weight
+constexpr double kSlowness = 0.01;  // how little a level gives of its direction to be faster: its weight
 constexpr double kMissed = 1e-6;    // of what could be reached: less is rounding
 constexpr double kAtBound = 1e-8;
 
@@ -39,7 +39,8 @@ void TaskHierarchy::begin(const VelocityBounds& bounds) noexcept {
   constrained_ = 0;
 }
 
-void TaskHierarchy::constrain(const Eigen::Ref<const Eigen::RowVectorXd, 0, Eigen::InnerStride<>>& row, double most) noexcept {
+void TaskHierarchy::constrain(const Eigen::Ref<const Eigen::RowVectorXd, 0, Eigen::InnerStride<>>& row,
+                              double most) noexcept {
   if (constrained_ == constraints_.rows()) return;
   constraints_.row(constrained_) = row;
   most_[constrained_] = std::max(most, row.dot(velocities_));
@@ -59,8 +60,7 @@ TaskHierarchy::Index TaskHierarchy::turn(Index rows, LevelOutcome& outcome) noex
   for (; rank < std::min(rows, free_); ++rank) {
     const Index left = free_ - rank;
     Index best = 0;
-    const double length =
-        std::sqrt(projected.bottomRightCorner(rows, left).rowwise().squaredNorm().maxCoeff(&best));
+    const double length = std::sqrt(projected.bottomRightCorner(rows, left).rowwise().squaredNorm().maxCoeff(&best));
     if (length <= kNothing) break;
     outcome.pivot = length;
     double tau = 0;

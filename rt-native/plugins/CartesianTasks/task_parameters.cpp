@@ -27,7 +27,8 @@ std::array<bool, 6> maskOf(const config::Reader& at) {
     const std::string axis = item.oneOf({"x", "y", "z", "roll", "pitch", "yaw"});
     mask[static_cast<std::size_t>(std::find(kAxes.begin(), kAxes.end(), axis) - kAxes.begin())] = true;
   }
-  if (std::none_of(mask.begin(), mask.end(), [](bool is_in) { return is_in; })) at.fail("is empty: leave it out for all");
+  if (std::none_of(mask.begin(), mask.end(), [](bool is_in) { return is_in; }))
+    at.fail("is empty: leave it out for all");
   return mask;
 }
 
@@ -74,9 +75,11 @@ std::vector<TaskDescription> tasksOf(const config::Reader& params, RobotInterfac
 // [x, y, z, radius] of a sphere, or [x, y, z, x, y, z, radius].
 Capsule capsuleOf(const config::Reader& at) {
   std::vector<double> numbers;
-  for (const auto& item : at.items("[0, 0, 0, 0, 0, 0.2, 0.05]")) numbers.push_back(item.real(-kMostMetres, kMostMetres));
+  for (const auto& item : at.items("[0, 0, 0, 0, 0, 0.2, 0.05]"))
+    numbers.push_back(item.real(-kMostMetres, kMostMetres));
   if (numbers.size() != 4 && numbers.size() != 7)
-    at.fail("has " + std::to_string(numbers.size()) + " numbers; expected 4 (x, y, z, radius) or 7 (two points, radius)");
+    at.fail("has " + std::to_string(numbers.size()) +
+            " numbers; expected 4 (x, y, z, radius) or 7 (two points, radius)");
   if (numbers.back() <= 0) at.fail("needs a radius above 0");
   const Eigen::Vector3d from(numbers[0], numbers[1], numbers[2]);
   const Eigen::Vector3d to = numbers.size() == 4 ? from : Eigen::Vector3d(numbers[3], numbers[4], numbers[5]);
@@ -97,7 +100,8 @@ void readDistance(const config::Reader& params, TaskParameters& into) {
   const auto capsules = block->find("capsules");
   if (!capsules) return;
   for (const auto& [link, list] : capsules->entries()) {
-    for (const auto& item : list.items("[[0, 0, 0, 0, 0, 0.2, 0.05]]")) into.capsules.emplace_back(link, capsuleOf(item));
+    for (const auto& item : list.items("[[0, 0, 0, 0, 0, 0.2, 0.05]]"))
+      into.capsules.emplace_back(link, capsuleOf(item));
   }
 }
 

@@ -15,8 +15,8 @@ namespace robotui::rt::plugins {
 struct TaskParameters {
   std::vector<TaskDescription> tasks;  // by priority
   std::vector<Joint*> joints;
-  std::string posture;          // of the SRDF; empty is where the joints are at the start
-  double posture_speed = 0.2;   // fraction of the velocity limits
+  std::string posture;         // of the SRDF; empty is where the joints are at the start
+  double posture_speed = 0.2;  // fraction of the velocity limits
   std::optional<DistanceLimits> distance;
   std::vector<std::pair<std::string, Capsule>> capsules;  // by link
 };

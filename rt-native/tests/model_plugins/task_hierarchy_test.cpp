@@ -65,22 +65,22 @@ struct AllCombinations {
       right[count++] = combination % 3 == 0 ? bounds.lower[joint] : bounds.upper[joint];
     }
     MatrixXd system = MatrixXd::Zero(joints + count, joints + count);
-    system.topLeftCorner(joints, joints) =
-        rows.transpose() * rows + 1e-10 * MatrixXd::Identity(joints, joints);
+    system.topLeftCorner(joints, joints) = rows.transpose() * rows + 1e-10 * MatrixXd::Identity(joints, joints);
     system.block(joints, 0, count, joints) = all.topRows(count);
     system.block(0, joints, joints, count) = all.topRows(count).transpose();
     VectorXd sides(joints + count);
     sides << rows.transpose() * wanted, right.head(count);
     const VectorXd solution = system.completeOrthogonalDecomposition().solve(sides);
     at = solution.head(joints);
-    return (all.topRows(count) * at - right.head(count)).norm() < 1e-7 &&
-           ((at - bounds.upper).array() < 1e-7).all() && ((bounds.lower - at).array() < 1e-7).all();
+    return (all.topRows(count) * at - right.head(count)).norm() < 1e-7 && ((at - bounds.upper).array() < 1e-7).all() &&
+           ((bounds.lower - at).array() < 1e-7).all();
   }
 };
 
 TEST(TaskHierarchyTest, IsAsGoodAsTheBestOfAllCombinationsOfBounds) {
   Numbers numbers;
   int bounded = 0;
+  int compared = 0;
   for (int i = 0; i < 60; ++i) {
     const Index joints = 3 + i % 3;
     VelocityBounds bounds = boundsOf(joints, 1);
@@ -94,8 +94,11 @@ TEST(TaskHierarchyTest, IsAsGoodAsTheBestOfAllCombinationsOfBounds) {
     const VectorXd then = numbers.vector(3, 2);
     TaskHierarchy hierarchy(joints, 3, 0);
     hierarchy.begin(bounds);
-    EXPECT_TRUE(hierarchy.solve(first, wanted, false).is_done);
-    EXPECT_TRUE(hierarchy.solve(second, then, false).is_done);
+    const LevelOutcome above = hierarchy.solve(first, wanted, false);
+    const LevelOutcome below = hierarchy.solve(second, then, false);
+    EXPECT_TRUE(above.is_done && below.is_done) << i;
+    if (above.is_damped || below.is_damped) continue;  // it is to be slower than the best then
+    ++compared;
     const VectorXd& at = hierarchy.velocities();
     AllCombinations reference{bounds, MatrixXd(0, joints), VectorXd(0)};
     const double least = reference.best(first, wanted);
@@ -105,6 +108,7 @@ TEST(TaskHierarchyTest, IsAsGoodAsTheBestOfAllCombinationsOfBounds) {
     EXPECT_NEAR((second * at - then).norm(), reference.best(second, then), 2e-3) << i;
     bounded += least > 1e-3 ? 1 : 0;
   }
+  EXPECT_GT(compared, 30);
   EXPECT_GT(bounded, 5) << "the bounds were to matter";
 }
 
@@ -187,7 +191,7 @@ TEST(TaskHierarchyTest, BrakesWhereAConstraintAsksForMoreThanTheBoundsAllow) {
   hierarchy.begin(bounds);
   hierarchy.constrain(Eigen::RowVector2d(1, 0), 0);
   hierarchy.solve(MatrixXd::Identity(2, 2), Eigen::Vector2d(1, 0.5), true);
-  EXPECT_NEAR(hierarchy.velocities()[0], 0.4, 1e-9);
+  EXPECT_NEAR(hierarchy.velocities()[0], 0.4, 1e-7);
   EXPECT_GT(hierarchy.velocities()[1], 0);
   EXPECT_TRUE(hierarchy.isActive(0));
 }
