@@ -10,29 +10,9 @@
 namespace robotui::rt::plugins {
 namespace {
 
-constexpr double kGain = 10;         // 1/s, with which an error of the tip decays
-constexpr double kFarLinear = 0.05;  // m behind the path from which on the path waits for the tip
-constexpr double kFarAngular = 0.2;  // rad
-constexpr double kThere = 1e-3;      // m and rad
+constexpr double kGain = 10;     // 1/s, with which an error of the tip decays
+constexpr double kThere = 1e-3;  // m and rad
 constexpr double kMostMetres = 100;
-
-Eigen::Matrix3d rotation(double roll, double pitch, double yaw) noexcept {
-  return (Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()) * Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitY()) *
-          Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitX()))
-      .toRotationMatrix();
-}
-
-// The rotation vector from one orientation to another, in the axes of the base.
-Eigen::Vector3d turn(const Eigen::Isometry3d& from, const Eigen::Isometry3d& to) noexcept {
-  const Eigen::AngleAxisd between(Eigen::Matrix3d(to.linear() * from.linear().transpose()));
-  return between.angle() * between.axis();
-}
-
-Eigen::Matrix<double, 6, 1> difference(const Eigen::Isometry3d& from, const Eigen::Isometry3d& to) noexcept {
-  Eigen::Matrix<double, 6, 1> result;
-  result << to.translation() - from.translation(), turn(from, to);
-  return result;
-}
 
 double fraction(double length, double most) noexcept { return length > most ? most / length : 1; }
 
@@ -41,8 +21,8 @@ double fraction(double length, double most) noexcept { return length > most ? mo
 bool CartesianMotion::init_control_plugin(Setup& setup) {
   const config::Reader params(setup.params(), {}, setup.name());
   params.knowsOnly({"chain", "linear_speed", "angular_speed", "damping", "pose"});
-  linear_speed_ = params.realOr("linear_speed", linear_speed_, 1e-4, 10);
-  angular_speed_ = params.realOr("angular_speed", angular_speed_, 1e-4, 20);
+  speeds_.linear = params.realOr("linear_speed", speeds_.linear, 1e-4, 10);
+  speeds_.angular = params.realOr("angular_speed", speeds_.angular, 1e-4, 20);
   damping_ = params.realOr("damping", damping_, 1e-4, 1);
   if (const auto pose = params.find("pose")) {
     for (const auto& item : pose->items("[0.4, 0, 0.5, 0, 1.57, 0]"))
@@ -85,8 +65,9 @@ RtStatus CartesianMotion::on_start(double /*time*/) noexcept {
         std::clamp(heldPosition(*moved.joint), moved.joint->description().lower, moved.joint->description().upper);
   }
   updateModel();
-  target_ = path_ = at_ = tip();
-  if (!first_pose_.empty()) setTarget(first_pose_.data(), static_cast<int>(first_pose_.size()));
+  at_ = tip();
+  path_.rest(at_);
+  if (!first_pose_.empty()) path_.setTarget(first_pose_.data(), static_cast<int>(first_pose_.size()));
   return RtStatus::ok();
 }
 
@@ -104,36 +85,17 @@ Eigen::Isometry3d CartesianMotion::tip() const noexcept {
   return base.inverse(Eigen::Isometry) * tip;
 }
 
-// Moves the path on and says with which velocity; a tip that is far behind is waited for.
-CartesianMotion::Vector6 CartesianMotion::advance(double period) noexcept {
-  const Vector6 behind = difference(at_, path_);
-  if (behind.head<3>().norm() > kFarLinear || behind.tail<3>().norm() > kFarAngular) return Vector6::Zero();
-  const Eigen::Vector3d line = target_.translation() - path_.translation();
-  const Eigen::Vector3d rest = turn(path_, target_);
-  const double part =
-      std::min(fraction(line.norm(), linear_speed_ * period), fraction(rest.norm(), angular_speed_ * period));
-  const Eigen::Vector3d angle = part * rest;
-  path_.translation() += part * line;
-  if (angle.norm() > 0) {
-    const Eigen::Matrix3d turned = Eigen::AngleAxisd(angle.norm(), angle.normalized()) * path_.linear();
-    path_.linear() = Eigen::Quaterniond(turned).normalized().toRotationMatrix();
-  }
-  Vector6 velocity;
-  velocity << part * line / period, angle / period;
-  return velocity;
-}
-
 // Damped least squares over the joints that are not held; false where all are.
-bool CartesianMotion::solve(const Vector6& twist) noexcept {
+bool CartesianMotion::solve(const Twist& twist) noexcept {
   Eigen::Matrix<double, 6, 6> square = damping_ * damping_ * Eigen::Matrix<double, 6, 6>::Identity();
   bool any = false;
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     if (joints_[i].held) continue;
-    const Vector6 column = reduced_.col(static_cast<Eigen::Index>(i));
+    const Twist column = reduced_.col(static_cast<Eigen::Index>(i));
     square += column * column.transpose();
     any = true;
   }
-  const Vector6 weighted = square.llt().solve(twist);
+  const Twist weighted = square.llt().solve(twist);
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     joints_[i].velocity = joints_[i].held ? 0 : reduced_.col(static_cast<Eigen::Index>(i)).dot(weighted);
   }
@@ -168,15 +130,15 @@ void CartesianMotion::integrate(double period) noexcept {
 }
 
 RtStatus CartesianMotion::control_loop(double /*time*/, double period) noexcept {
-  const Vector6 along = advance(period);
-  const Vector6 twist = along + kGain * difference(at_, path_);
+  const Twist along = path_.advance(poseDifference(at_, path_.now()), speeds_, period);
+  const Twist twist = along + kGain * poseDifference(at_, path_.now());
   Eigen::Isometry3d base;
   model_->getPose(base_, base);
   model_->getJacobian(tip_, jacobian_);
   const Eigen::Matrix3d to_base = base.linear().transpose();
   const Eigen::Index offset = jacobian_.cols() - positions_.size();
   for (std::size_t i = 0; i < joints_.size(); ++i) {
-    const Vector6 column = jacobian_.col(offset + joints_[i].in_model);
+    const Twist column = jacobian_.col(offset + joints_[i].in_model);
     reduced_.col(static_cast<Eigen::Index>(i)) << to_base * column.head<3>(), to_base * column.tail<3>();
     joints_[i].held = false;
   }
@@ -186,40 +148,21 @@ RtStatus CartesianMotion::control_loop(double /*time*/, double period) noexcept 
   integrate(period);
   updateModel();
   at_ = tip();
-  const bool there = difference(at_, target_).cwiseAbs().maxCoeff() < kThere;
+  const bool there = poseDifference(at_, path_.target()).cwiseAbs().maxCoeff() < kThere;
   status_ = there ? "at the target" : held ? "a joint is at its limit" : "moving";
   return RtStatus::ok();
 }
 
 void CartesianMotion::on_stop(double /*time*/) noexcept { status_ = "stopped"; }
 
-bool CartesianMotion::setTarget(const double* numbers, int count) noexcept {
-  if (count != 3 && count != 6) return false;
-  if (!std::all_of(numbers, numbers + count, [](double x) { return std::abs(x) <= kMostMetres; })) return false;
-  target_.translation() = Eigen::Vector3d(numbers[0], numbers[1], numbers[2]);
-  if (count == 6) target_.linear() = rotation(numbers[3], numbers[4], numbers[5]);
-  return true;
-}
-
-bool CartesianMotion::moveTarget(const double* numbers, int count) noexcept {
-  if (count != 3 && count != 6) return false;
-  if (!std::all_of(numbers, numbers + count, [](double x) { return std::abs(x) <= kMostMetres; })) return false;
-  target_.translation() += Eigen::Vector3d(numbers[0], numbers[1], numbers[2]);
-  if (count == 6) {
-    const Eigen::Matrix3d turned = rotation(numbers[3], numbers[4], numbers[5]) * target_.linear();
-    target_.linear() = turned;
-  }
-  return true;
-}
-
 bool CartesianMotion::on_command(std::string_view words) {
   double numbers[6] = {};
   if (words == "stop") {
-    target_ = path_ = at_;
+    path_.rest(at_);
     return true;
   }
-  if (words.starts_with("pose ")) return setTarget(numbers, readNumbers(words.substr(5), numbers, 6));
-  if (words.starts_with("move ")) return moveTarget(numbers, readNumbers(words.substr(5), numbers, 6));
+  if (words.starts_with("pose ")) return path_.setTarget(numbers, readNumbers(words.substr(5), numbers, 6));
+  if (words.starts_with("move ")) return path_.moveTarget(numbers, readNumbers(words.substr(5), numbers, 6));
   return false;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "robotui/rt/plugin/control_plugin.h"
+#include "straight_path.h"
 
 namespace robotui::rt::plugins {
 
@@ -22,8 +23,6 @@ class CartesianMotion final : public ControlPlugin {
   std::string_view status() const noexcept override { return status_; }
 
  private:
-  using Vector6 = Eigen::Matrix<double, 6, 1>;
-
   struct Moved {
     Joint* joint;
     int in_model;
@@ -35,13 +34,10 @@ class CartesianMotion final : public ControlPlugin {
   bool findChain(Setup& setup);
   void updateModel() noexcept;
   Eigen::Isometry3d tip() const noexcept;
-  Vector6 advance(double period) noexcept;
-  bool solve(const Vector6& twist) noexcept;
+  bool solve(const Twist& twist) noexcept;
   bool holdAtLimits(double period) noexcept;
   void limitVelocities() noexcept;
   void integrate(double period) noexcept;
-  bool setTarget(const double* numbers, int count) noexcept;
-  bool moveTarget(const double* numbers, int count) noexcept;
 
   std::unique_ptr<ModelInterface> model_;
   LinkId base_;
@@ -50,12 +46,10 @@ class CartesianMotion final : public ControlPlugin {
   Eigen::VectorXd positions_;                         // of the model
   Eigen::MatrixXd jacobian_;                          // of the model
   Eigen::Matrix<double, 6, Eigen::Dynamic> reduced_;  // of the chain, in the axes of its base
-  double linear_speed_ = 0.1;
-  double angular_speed_ = 0.5;
+  SpeedLimits speeds_{0.1, 0.5};
   double damping_ = 0.02;
   std::vector<double> first_pose_;
-  Eigen::Isometry3d target_ = Eigen::Isometry3d::Identity();
-  Eigen::Isometry3d path_ = Eigen::Isometry3d::Identity();  // where the tip should be now, on the way to the target
+  StraightPath path_;
   Eigen::Isometry3d at_ = Eigen::Isometry3d::Identity();
   std::string_view status_ = "stopped";
 };

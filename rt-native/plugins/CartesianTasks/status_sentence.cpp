@@ -1,0 +1,60 @@
+// What CartesianTasks says of itself: the first task that is not where it should be, and why.
+#include <charconv>
+
+#include "cartesian_tasks.h"
+
+namespace robotui::rt::plugins {
+namespace {
+
+struct Number {
+  std::array<char, 32> room{};
+
+  std::string_view operator()(double value) noexcept {
+    const auto [end, error] = std::to_chars(room.data(), room.data() + room.size(), value, std::chars_format::fixed, 3);
+    return error == std::errc() ? std::string_view(room.data(), static_cast<std::size_t>(end - room.data())) : "?";
+  }
+};
+
+}  // namespace
+
+// A task that something holds back comes before one that only is on its way.
+void CartesianTasks::say() noexcept {
+  const Task* late = nullptr;
+  bool is_led = false;
+  for (const Task& task : tasks_) {
+    if (!task.does.isActive()) continue;
+    is_led |= task.does.isLedByVelocity();
+    const bool is_held = task.hindrance != Hindrance::kNone;
+    if (task.does.isThere() && !is_held) continue;
+    if (late == nullptr || (is_held && late->hindrance == Hindrance::kNone)) late = &task;
+  }
+  if (late != nullptr && (late->hindrance != Hindrance::kNone || !late->does.isLedByVelocity()))
+    sayOf(*late);
+  else
+    status_.assign(is_led ? "moving with a velocity" : "all tasks are at their targets");
+}
+
+void CartesianTasks::sayOf(const Task& task) noexcept {
+  status_.assign(task.does.description().name);
+  if (task.hindrance == Hindrance::kNone) {
+    status_.append(" is moving");
+    return;
+  }
+  Number number;
+  status_.append(" is ").append(number(task.does.metres())).append(" m and ");
+  status_.append(number(task.does.radians())).append(" rad from its target: ");
+  switch (task.hindrance) {
+    case Hindrance::kLimit: status_.append(joints_->joint(task.which).name()).append(" is at its limit"); break;
+    case Hindrance::kNear: {
+      const auto [first, second] = distance_->names(task.which);
+      status_.append(first).append(" and ").append(second).append(" are ");
+      status_.append(number(distance_->metres(task.which))).append(" m apart");
+      break;
+    }
+    case Hindrance::kSingular: status_.append("it is at the end of its reach, or in a singular posture"); break;
+    case Hindrance::kPriority: status_.append("a task of higher priority needs the joints"); break;
+    case Hindrance::kNone: break;
+  }
+}
+
+}  // namespace robotui::rt::plugins

@@ -1,0 +1,163 @@
+#include "task_hierarchy.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace robotui::rt::plugins {
+namespace {
+
+constexpr double kNothing = 1e-9;      // a pivot that is no direction
+constexpr double kSingular = 0.05;     // a pivot below which a level is damped
+constexpr double kMostDamping = 0.05;  // at the singularity itself
+constexpr double kLeastDamping = 1e-4;
+constexpr double kSlowness = 0.01;  // how little a level gives of its direction to be faster: its weight
+constexpr double kMissed = 1e-6;    // of what could be reached: less is rounding
+constexpr double kAtBound = 1e-8;
+
+double dampingFor(double pivot) noexcept {
+  if (pivot >= kSingular) return kLeastDamping * kLeastDamping;
+  const double near = 1 - (pivot / kSingular) * (pivot / kSingular);
+  return kLeastDamping * kLeastDamping + kMostDamping * kMostDamping * near;
+}
+
+}  // namespace
+
+VelocityBounds::VelocityBounds(Eigen::Index joints)
+    : lower(Eigen::VectorXd::Zero(joints)), upper(lower), reach_lower(lower), reach_upper(lower) {}
+
+TaskHierarchy::TaskHierarchy(Index joints, Index most_rows, Index most_constraints)
+    : quadratic_(joints + 1, joints + most_constraints + 1), velocities_(Eigen::VectorXd::Zero(joints)),
+      freedom_(joints, joints), projected_(most_rows, joints), missing_(most_rows), reached_(most_rows), best_(joints),
+      reflection_(joints), workspace_(std::max(joints, most_rows)), constraints_(most_constraints, joints),
+      most_(most_constraints) {}
+
+void TaskHierarchy::begin(const VelocityBounds& bounds) noexcept {
+  bounds_ = &bounds;
+  velocities_ = bounds.lower.cwiseMax(bounds.upper.cwiseMin(0.0));
+  freedom_.setIdentity();
+  free_ = freedom_.cols();
+  constrained_ = 0;
+}
+
+void TaskHierarchy::constrain(const Eigen::Ref<const Eigen::RowVectorXd, 0, Eigen::InnerStride<>>& row,
+                              double most) noexcept {
+  if (constrained_ == constraints_.rows()) return;
+  constraints_.row(constrained_) = row;
+  most_[constrained_] = std::max(most, row.dot(velocities_));
+  ++constrained_;
+}
+
+bool TaskHierarchy::isActive(Index constraint) const noexcept {
+  return constraints_.row(constraint).dot(velocities_) > most_[constraint] - kAtBound;
+}
+
+// Turns the freedom so that the rows, best first, lie in its first columns: how many they are.
+TaskHierarchy::Index TaskHierarchy::turn(Index rows, LevelOutcome& outcome) noexcept {
+  auto projected = projected_.topLeftCorner(rows, free_);
+  auto freedom = freedom_.rightCols(free_);
+  Index rank = 0;
+  outcome.pivot = 0;
+  for (; rank < std::min(rows, free_); ++rank) {
+    const Index left = free_ - rank;
+    Index best = 0;
+    const double length = std::sqrt(projected.bottomRightCorner(rows, left).rowwise().squaredNorm().maxCoeff(&best));
+    if (length <= kNothing) break;
+    outcome.pivot = length;
+    double tau = 0;
+    double beta = 0;
+    auto vector = reflection_.head(left);
+    vector = projected.row(best).tail(left).transpose();
+    vector.makeHouseholderInPlace(tau, beta);
+    const auto essential = vector.tail(left - 1);
+    projected.rightCols(left).applyHouseholderOnTheRight(essential, tau, workspace_.data());
+    freedom.rightCols(left).applyHouseholderOnTheRight(essential, tau, workspace_.data());
+  }
+  if (rank < rows) outcome.is_lost = true;
+  return rank;
+}
+
+void TaskHierarchy::put(Index rows, double damping) noexcept {
+  const auto projected = projected_.topLeftCorner(rows, free_);
+  auto hessian = quadratic_.hessian();
+  hessian.topLeftCorner(free_, free_).noalias() = projected.transpose() * projected;
+  hessian.diagonal().head(free_).array() += damping;
+}
+
+void TaskHierarchy::putBounds(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) noexcept {
+  const Index joints = velocities_.size();
+  const auto freedom = freedom_.rightCols(free_);
+  auto to = quadratic_.rows();
+  to.topLeftCorner(joints, free_) = freedom;
+  const auto constraints = constraints_.topRows(constrained_);
+  to.block(joints, 0, constrained_, free_).noalias() = constraints * freedom;
+  quadratic_.lower().head(joints) = (lower - velocities_).cwiseMin(0.0);
+  quadratic_.upper().head(joints) = (upper - velocities_).cwiseMax(0.0);
+  quadratic_.lower().segment(joints, constrained_).setConstant(-1e9);
+  auto most = quadratic_.upper().segment(joints, constrained_);
+  most.noalias() = -constraints * velocities_;
+  most = (most + most_.head(constrained_)).cwiseMax(0.0);
+}
+
+LevelOutcome TaskHierarchy::solve(const Eigen::Ref<const Eigen::MatrixXd>& rows,
+                                  const Eigen::Ref<const Eigen::VectorXd>& wanted, bool is_scaled) noexcept {
+  LevelOutcome outcome;
+  const Index count = rows.rows();
+  if (count == 0) return outcome;
+  outcome.is_lost = free_ == 0;
+  if (free_ == 0) return outcome;
+  projected_.topLeftCorner(count, free_).noalias() = rows * freedom_.rightCols(free_);
+  missing_.head(count) = wanted;
+  missing_.head(count).noalias() -= rows * velocities_;
+  const Index rank = turn(count, outcome);
+  const double damping = dampingFor(rank > 0 ? outcome.pivot : kSingular);
+  outcome.is_damped = rank > 0 && outcome.pivot < kSingular;
+  const auto projected = projected_.topLeftCorner(count, free_);
+  quadratic_.begin(free_, velocities_.size() + constrained_);
+  put(count, damping);
+  quadratic_.gradient().noalias() = -projected.transpose() * missing_.head(count);
+  putBounds(bounds_->lower, bounds_->upper);
+  outcome.is_done = quadratic_.solve();
+  best_.head(free_) = quadratic_.variables();
+  if (is_scaled) slowDown(count, damping, outcome);
+  velocities_.noalias() += freedom_.rightCols(free_) * best_.head(free_);
+  velocities_ = velocities_.cwiseMax(bounds_->lower).cwiseMin(bounds_->upper);
+  free_ -= rank;
+  return outcome;
+}
+
+// Where velocity and acceleration alone keep the level from what it could reach, it goes there in the same direction,
+// as fast as it can: one more variable is the part of that velocity.
+void TaskHierarchy::slowDown(Index rows, double damping, LevelOutcome& outcome) noexcept {
+  const Index joints = velocities_.size();
+  const auto projected = projected_.topLeftCorner(rows, free_);
+  auto reached = reached_.head(rows);
+  reached.noalias() = projected * best_.head(free_);
+  if ((missing_.head(rows) - reached).norm() <= kMissed) return;
+  quadratic_.begin(free_, joints + constrained_);
+  put(rows, damping);
+  quadratic_.gradient().noalias() = -projected.transpose() * missing_.head(rows);
+  putBounds(bounds_->reach_lower, bounds_->reach_upper);
+  outcome.is_done &= quadratic_.solve();
+  auto reachable = missing_.head(rows);
+  reachable.noalias() = projected * quadratic_.variables();
+  const double length = reachable.norm();
+  if ((reachable - reached).norm() <= kMissed + 1e-3 * length) return;
+  quadratic_.begin(free_ + 1, joints + constrained_ + 1);
+  put(rows, kLeastDamping * kLeastDamping);  // what is reachable is damped already
+  auto hessian = quadratic_.hessian();
+  hessian.row(free_).head(free_).noalias() = -reachable.transpose() * projected;
+  hessian(free_, free_) = length * length * (1 + kSlowness * kSlowness);
+  quadratic_.gradient().setZero();
+  quadratic_.gradient()[free_] = -length * length * kSlowness * kSlowness;
+  quadratic_.rows().rightCols<1>().setZero();
+  putBounds(bounds_->lower, bounds_->upper);
+  quadratic_.rows().bottomRows<1>().setZero();
+  quadratic_.rows()(joints + constrained_, free_) = 1;
+  quadratic_.lower()[joints + constrained_] = 0;
+  quadratic_.upper()[joints + constrained_] = 1;
+  outcome.is_done &= quadratic_.solve();
+  best_.head(free_) = quadratic_.variables().head(free_);
+  outcome.scale = quadratic_.variables()[free_];
+}
+
+}  // namespace robotui::rt::plugins

@@ -1,0 +1,78 @@
+// Joint velocities that do tasks in the order of their priority, as well as bounds allow. Nothing allocates after
+// construction.
+#pragma once
+
+#include <Eigen/Dense>
+
+#include "bounded_quadratic.h"
+
+namespace robotui::rt::plugins {
+
+// Of joint velocities. `reach` is what positions alone allow, and contains the others, which also keep limits of
+// velocity and acceleration; a task that is too fast is slowed down, one that leaves its reach goes as near as it can.
+struct VelocityBounds {
+  explicit VelocityBounds(Eigen::Index joints);
+
+  Eigen::VectorXd lower;
+  Eigen::VectorXd upper;
+  Eigen::VectorXd reach_lower;
+  Eigen::VectorXd reach_upper;
+};
+
+// What became of one level.
+struct LevelOutcome {
+  double scale = 1;        // of the velocity that the bounds of positions allow; below 1 it is slowed down
+  double pivot = 0;        // the least in its rows within the freedom left to it: near zero it is near a singularity
+  bool is_damped = false;  // for that reason
+  bool is_lost = false;    // it has more rows than there is freedom left for
+  bool is_done = true;     // the solver came to its minimum
+};
+
+// A cascade of least squares: each level moves in the null space of all before it, and so cannot disturb them. One
+// cycle: begin(), constrain(), solve() for each level from the first on, velocities().
+class TaskHierarchy {
+ public:
+  using Index = Eigen::Index;
+
+  // Sizes that no cycle exceeds: joints, rows of one level, rows of constrain().
+  TaskHierarchy(Index joints, Index most_rows, Index most_constraints);
+
+  // The bounds live as long as the cycle.
+  void begin(const VelocityBounds& bounds) noexcept;
+
+  // row * velocities <= most, in all levels; loosened as far as it takes to brake with all that the bounds allow.
+  void constrain(const Eigen::Ref<const Eigen::RowVectorXd, 0, Eigen::InnerStride<>>& row, double most) noexcept;
+
+  // The next level: velocities for which `rows` * velocities is as near `wanted` as can be; its direction is kept where
+  // `is_scaled`.
+  LevelOutcome solve(const Eigen::Ref<const Eigen::MatrixXd>& rows, const Eigen::Ref<const Eigen::VectorXd>& wanted,
+                     bool is_scaled) noexcept;
+
+  const Eigen::VectorXd& velocities() const noexcept { return velocities_; }
+
+  // Whether the constraint of that number (from 0) holds the velocities back.
+  bool isActive(Index constraint) const noexcept;
+
+ private:
+  Index turn(Index rows, LevelOutcome& outcome) noexcept;
+  void put(Index rows, double damping) noexcept;
+  void putBounds(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) noexcept;
+  void slowDown(Index rows, double damping, LevelOutcome& outcome) noexcept;
+
+  const VelocityBounds* bounds_ = nullptr;
+  BoundedQuadratic quadratic_;
+  Eigen::VectorXd velocities_;
+  Eigen::MatrixXd freedom_;    // orthonormal; its last free_ columns are what the levels so far leave
+  Eigen::MatrixXd projected_;  // rows of the level in that freedom
+  Eigen::VectorXd missing_;    // of what is wanted
+  Eigen::VectorXd reached_;
+  Eigen::VectorXd best_;
+  Eigen::VectorXd reflection_;
+  Eigen::VectorXd workspace_;
+  Eigen::MatrixXd constraints_;
+  Eigen::VectorXd most_;
+  Index free_ = 0;
+  Index constrained_ = 0;
+};
+
+}  // namespace robotui::rt::plugins

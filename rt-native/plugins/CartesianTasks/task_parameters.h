@@ -1,0 +1,27 @@
+// The parameters of CartesianTasks, as they are written: docs/rt-cartesian.md.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cartesian_task.h"
+#include "robotui/rt/config/reader.h"
+#include "self_distance.h"
+
+namespace robotui::rt::plugins {
+
+struct TaskParameters {
+  std::vector<TaskDescription> tasks;  // by priority
+  std::vector<Joint*> joints;
+  std::string posture;         // of the SRDF; empty is where the joints are at the start
+  double posture_speed = 0.2;  // fraction of the velocity limits
+  std::optional<DistanceLimits> distance;
+  std::vector<std::pair<std::string, Capsule>> capsules;  // by link
+};
+
+// Throws ConfigError. Not real time.
+TaskParameters readTaskParameters(const config::Reader& params, RobotInterface& robot);
+
+}  // namespace robotui::rt::plugins
