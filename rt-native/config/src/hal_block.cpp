@@ -81,7 +81,7 @@ HalConfig readHal(const Reader& top, const Overrides& overrides, std::vector<std
   hal.place = top.place();
   if (const auto block = top.find("HALInterface")) {
     block->knows({"type", "lib_file", "lib_name", "IJoint", "IEndEffectors", "ISensors", "misses_before_safe",
-                  "deadline", "safe_law", "safe_damping", "following_error", "following_time", "period_us", "sched",
+                  "deadline", "safe_law", "safe_damping", "following_error", "following_time", "emergency_stops", "period_us", "sched",
                   "prio", "runtime", "core_id", "cpu_dma_latency_us", "params"},
                  warnings);
     hal.place = block->place();

@@ -7,8 +7,10 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <iomanip>
 #include <iostream>
 #include <memory>
+#include <sstream>
 #include <stdexcept>
 #include <thread>
 
@@ -44,6 +46,7 @@ constexpr const char* kUsage = R"(robotui-rt-ctl [--name NAME] COMMAND
   drives                       where each drive stands: disabled, enabling, enabled, fault, silent (docs/rt-canopen.md)
   recover                      bring drives back that a fault has disabled
   enable, disable              enable the drives that are disabled, or disable all; no plugin leads a joint then
+  estop [on|off [NAME]]        how the emergency stops stand; press or release one of a simulation, or all
   reload PLUGIN                load its library and its parameters anew
   reference JOINT=POSITION... [--for SECONDS]
                                command joints as the master framework (the communication plugin must run)
@@ -217,6 +220,45 @@ int ask(Client& client, const std::string& command, const std::vector<std::strin
   return print(reply);
 }
 
+// How the emergency stops stand, for the user.
+std::string stopTable(Client& client) {
+  const link::Reply stops = client.request("stops", kReply);
+  if (!stops.ok) throw std::runtime_error(stops.text);
+  std::istringstream lines(stops.text);
+  std::ostringstream out;
+  for (std::string state, name; std::getline(lines, state, '\t') && std::getline(lines, name);)
+    out << std::left << std::setw(26) << name << (state == "unread" ? "cannot be read, which counts as pressed" : state)
+        << '\n';
+  return out.str().empty() ? "This robot has no emergency stops.\n" : out.str();
+}
+
+// Whether every one that is meant stands as it is to.
+bool stand(const std::string& table, const std::string& name, const std::string& state) {
+  std::istringstream lines(table);
+  bool all = true;
+  for (std::string line; std::getline(lines, line);)
+    all = all && ((!name.empty() && line.rfind(name + " ", 0) != 0) || line.ends_with(state));
+  return all;
+}
+
+int emergencyStop(Client& client, const std::vector<std::string>& words) {
+  if (!words.empty()) {
+    const bool on = words.front() == "on";
+    if (!on && words.front() != "off") throw Wrong("estop needs on or off, not '" + words.front() + "'.");
+    const std::string name = joined({words.begin() + 1, words.end()});
+    if (const link::Reply asked = client.request(std::string(on ? "press 1" : "press 0") + (name.empty() ? "" : " ") + name, kReply);
+        !asked.ok)
+      return print(asked);
+    const auto until = std::chrono::steady_clock::now() + kReply;
+    while (!stand(stopTable(client), name, on ? "pressed" : "released")) {
+      if (std::chrono::steady_clock::now() > until) throw std::runtime_error("The HAL did not obey in time.");
+      std::this_thread::sleep_for(kReferencePeriod);
+    }
+  }
+  std::cout << stopTable(client);
+  return 0;
+}
+
 struct Call {
   std::string robot;
   double seconds = 0;
@@ -268,6 +310,8 @@ int work(const Call& call) {
     std::cout << loopTable(client.attach(kReply));
   } else if (call.command == "watch") {
     return watch(client, call.words.empty() ? 1e9 : numberOf(call.words.front(), "watch"));
+  } else if (call.command == "estop") {
+    return emergencyStop(client, call.words);
   } else if (call.command == "trajectory") {
     if (call.words.empty()) throw Wrong("trajectory needs a file of points, such as trajectory wave.yaml");
     return runTrajectory(client, call.words.size() > 1 ? call.words[1] : "JointTrajectory", call.words.front());

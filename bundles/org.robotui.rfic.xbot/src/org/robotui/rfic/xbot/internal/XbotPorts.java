@@ -21,6 +21,7 @@ import org.robotui.data.joint.JointState;
 import org.robotui.data.joint.RobotDescription;
 import org.robotui.data.record.DynamicRecord;
 import org.robotui.data.sensor.Imu;
+import org.robotui.data.status.Diagnostics;
 
 /** The ports of every real-time control; those of sensors are offered as it has them. */
 final class XbotPorts {
@@ -43,6 +44,8 @@ final class XbotPorts {
           "every cycle of the control with all joints, for recordings and plots");
   static final StreamPort<Drives> DRIVES =
       new StreamPort<>("drives", Drives.class, Arity.MANY, "where the drives of the joints stand");
+  static final StreamPort<Diagnostics> DIAGNOSTICS =
+      new StreamPort<>("diagnostics", Diagnostics.class, Arity.MANY, "how the emergency stops stand");
   static final CommandPort<JointCommand> COMMAND =
       new CommandPort<>("joint_command", JointCommand.class, Arity.MANY,
           "what the joints shall do, while the communication plugin runs");
@@ -54,7 +57,7 @@ final class XbotPorts {
           Arity.MANY, "stop_plugins stops all plugins: for the stop_call of a robot's safety");
 
   static final List<Port> ALL =
-      List.of(JOINTS, CONTROL, MODEL, PLUGINS, TIMING, DRIVES, CYCLES, COMMAND, VERBS, SERVICES);
+      List.of(JOINTS, CONTROL, MODEL, PLUGINS, TIMING, DRIVES, DIAGNOSTICS, CYCLES, COMMAND, VERBS, SERVICES);
 
   private XbotPorts() {}
 
