@@ -19,7 +19,8 @@ bool isName(const std::string& name) {
 std::string jointOf(const Reader& stop, const RtConfig& config) {
   const auto joint = stop.find("joint");
   if (!joint) {
-    if (config.hal.type == "canopen") stop.fail(std::string("needs the joint whose drive has the input; write ") + kExample);
+    if (config.hal.type == "canopen")
+      stop.fail(std::string("needs the joint whose drive has the input; write ") + kExample);
     return {};
   }
   std::vector<std::string> known;

@@ -8,9 +8,7 @@ namespace {
 
 constexpr unsigned kHalf = 16;
 
-std::uint32_t packed(const link::StopBits& bits) noexcept {
-  return std::uint32_t{bits.pressed} << kHalf | bits.unread;
-}
+std::uint32_t packed(const link::StopBits& bits) noexcept { return std::uint32_t{bits.pressed} << kHalf | bits.unread; }
 
 }  // namespace
 

@@ -246,7 +246,8 @@ int emergencyStop(Client& client, const std::vector<std::string>& words) {
     const bool on = words.front() == "on";
     if (!on && words.front() != "off") throw Wrong("estop needs on or off, not '" + words.front() + "'.");
     const std::string name = joined({words.begin() + 1, words.end()});
-    if (const link::Reply asked = client.request(std::string(on ? "press 1" : "press 0") + (name.empty() ? "" : " ") + name, kReply);
+    if (const link::Reply asked =
+            client.request(std::string(on ? "press 1" : "press 0") + (name.empty() ? "" : " ") + name, kReply);
         !asked.ok)
       return print(asked);
     const auto until = std::chrono::steady_clock::now() + kReply;

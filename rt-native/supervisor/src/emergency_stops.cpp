@@ -44,8 +44,9 @@ void EmergencyStops::handle(std::string_view words) {
   if (now.any())
     log_.error(causeOf(now) + ", in cycle " + std::to_string(cycle) + ": all joints are in their safe state.");
   else
-    log_.info("No emergency stop is pressed any more. Nothing moves by itself: start the plugins again, such as "
-              "robotui-rt-ctl switch PLUGIN 1.");
+    log_.info(
+        "No emergency stop is pressed any more. Nothing moves by itself: start the plugins again, such as "
+        "robotui-rt-ctl switch PLUGIN 1.");
 }
 
 std::string EmergencyStops::objection() const {
@@ -53,11 +54,11 @@ std::string EmergencyStops::objection() const {
 }
 
 std::string EmergencyStops::objectionToPress(std::string_view name) const {
-  if (stops_.empty())
-    return "This robot has no emergency stops: name them in emergency_stops of HALInterface.";
+  if (stops_.empty()) return "This robot has no emergency stops: name them in emergency_stops of HALInterface.";
   if (hal_.type != "dummy" && hal_.type != "mujoco" && hal_.type != "gazebo" && hal_.type != "library")
     return "The emergency stops of a HAL of the type " + hal_.type + " are real: press and release them by hand.";
-  const bool is_there = name.empty() || std::any_of(stops_.begin(), stops_.end(), [&](const auto& stop) { return stop.name == name; });
+  const bool is_there =
+      name.empty() || std::any_of(stops_.begin(), stops_.end(), [&](const auto& stop) { return stop.name == name; });
   return is_there ? ""
                   : "There is no emergency stop '" + std::string(name.substr(0, link::kNameLength)) +
                         "'. There are: " + link::listed(stops_, &config::EmergencyStop::name, "none") + ".";
@@ -68,8 +69,11 @@ std::string EmergencyStops::lines() const {
   for (std::size_t i = 0; i < stops_.size(); ++i) {
     const bool pressed = (bits_.pressed >> i & 1U) != 0;
     const bool unread = (bits_.unread >> i & 1U) != 0;
-    text += std::string(text.empty() ? "" : "\n") + (pressed ? "pressed" : unread ? "unread" : "released") + "\t" +
-            stops_[i].name;
+    text += std::string(text.empty() ? "" : "\n") +
+            (pressed  ? "pressed"
+             : unread ? "unread"
+                      : "released") +
+            "\t" + stops_[i].name;
   }
   return text;
 }

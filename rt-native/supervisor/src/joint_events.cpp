@@ -83,7 +83,8 @@ void JointEvents::stop(const JointEvent& event) {
   const std::string before =
       event.cause == FallCause::kEmergency ? "release the emergency stop, look at the robot, then " : "";
   const std::string sentence = causeOf(event) + upTo(event) + ": " + fallen(event) +
-                               ", and the plugin is stopped. To come back: " + before + "robotui-rt-ctl switch " + name + " 1.";
+                               ", and the plugin is stopped. To come back: " + before + "robotui-rt-ctl switch " +
+                               name + " 1.";
   log_.error(sentence);
   if (registry_.state(event.plugin) != PluginState::kStopping) {
     hosts_[registry_.host(event.plugin)].child().socket().send("stop " + name);

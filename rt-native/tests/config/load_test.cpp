@@ -51,8 +51,10 @@ TEST(Load, EmergencyStopsHaveNamesAndInputs) {
   EXPECT_TRUE(stops[0].closed);
   EXPECT_EQ(stops[1].input, 1);
   EXPECT_FALSE(stops[1].closed);
-  const auto on_bus = Workspace{}.load(
-      "HALInterface: {type: canopen, emergency_stops: {pendant: {joint: elbow, input: 16}}}\n").hal.emergency_stops;
+  const auto on_bus =
+      Workspace{}
+          .load("HALInterface: {type: canopen, emergency_stops: {pendant: {joint: elbow, input: 16}}}\n")
+          .hal.emergency_stops;
   EXPECT_EQ(on_bus.at(0).joint, "elbow");
   EXPECT_EQ(on_bus.at(0).input, 16);
 }

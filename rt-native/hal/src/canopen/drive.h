@@ -102,7 +102,7 @@ class Drive {
   std::uint32_t inputs_missed_ = 0;  // cycles in turn without them
   bool has_inputs_ = false;          // in this cycle
   bool knows_inputs_ = false;        // ever
-  double hold_ = 0;  // rad or m
+  double hold_ = 0;                  // rad or m
   double velocity_ = 0;
   double measured_ = 0;     // rad or m of the cycle before
   bool has_state_ = false;  // in this cycle

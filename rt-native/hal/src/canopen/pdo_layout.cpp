@@ -45,12 +45,10 @@ constexpr Wanted kReceived[] = {{kControlWord, &PdoLayout::control_word, 2},
                                 {kTargetPosition, &PdoLayout::target_position, 4},
                                 {kTargetVelocity, &PdoLayout::target_velocity, 4},
                                 {kTargetTorque, &PdoLayout::target_torque, 2}};
-constexpr Wanted kTransmitted[] = {{kStatusWord, &PdoLayout::status_word, 2},
-                                   {kModeShown, &PdoLayout::mode_shown, 1},
-                                   {kPositionActual, &PdoLayout::position, 4},
-                                   {kVelocityActual, &PdoLayout::velocity, 4},
-                                   {kTorqueActual, &PdoLayout::torque, 2},
-                                   {kDigitalInputs, &PdoLayout::inputs, 4}};
+constexpr Wanted kTransmitted[] = {
+    {kStatusWord, &PdoLayout::status_word, 2},  {kModeShown, &PdoLayout::mode_shown, 1},
+    {kPositionActual, &PdoLayout::position, 4}, {kVelocityActual, &PdoLayout::velocity, 4},
+    {kTorqueActual, &PdoLayout::torque, 2},     {kDigitalInputs, &PdoLayout::inputs, 4}};
 
 // Objects that we do not know are passed over; ours must be whole bytes of the size that CiA 402 says.
 void place(PdoLayout& layout, std::span<const Wanted> known, std::uint32_t entry, std::size_t pdo, unsigned bits) {

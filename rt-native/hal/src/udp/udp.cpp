@@ -37,8 +37,7 @@ void checkInputs(const std::vector<config::EmergencyStop>& stops) {
   for (const config::EmergencyStop& stop : stops) {
     if (stop.input >= kCircuits)
       throw config::ConfigError(stop.place, "the emergency stop '" + stop.name + "' has the input " +
-                                                std::to_string(stop.input) +
-                                                ", and a packet has those from 0 to 15");
+                                                std::to_string(stop.input) + ", and a packet has those from 0 to 15");
   }
 }
 
@@ -124,7 +123,7 @@ void Udp::senseStops(std::span<StopInput> into) noexcept {
   if (gate_.isSilent(link::now())) return;
   for (std::size_t i = 0; i < into.size() && i < stops_.size(); ++i)
     into[i] = ((state_.circuits >> stops_[i].input & 1) != 0) == stops_[i].closed ? StopInput::kReleased
-                                                                                 : StopInput::kPressed;
+                                                                                  : StopInput::kPressed;
 }
 
 Status Udp::move(std::span<const Reference> references) noexcept {

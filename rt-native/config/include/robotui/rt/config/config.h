@@ -89,9 +89,9 @@ enum class SafeLaw : std::uint8_t { kDamping, kGravity };  // what joints in eff
 // An emergency stop, and the input that it is wired to.
 struct EmergencyStop {
   std::string name;
-  std::string joint;    // whose drive has the input; empty where the HAL has inputs of its own
-  int input = 0;        // a bit, from 0
-  bool closed = true;   // what the input says while the stop is released: a closed circuit, or an open one
+  std::string joint;   // whose drive has the input; empty where the HAL has inputs of its own
+  int input = 0;       // a bit, from 0
+  bool closed = true;  // what the input says while the stop is released: a closed circuit, or an open one
   Place place;
 };
 

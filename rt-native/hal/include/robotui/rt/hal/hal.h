@@ -15,8 +15,8 @@ namespace robotui::rt::hal {
 
 enum class Status : std::uint32_t {
   kOk = 0,
-  kTimeout = 1,  // nothing came in time: what was sensed is the last there was
-  kFault = 2,    // the hardware says that it cannot go on
+  kTimeout = 1,       // nothing came in time: what was sensed is the last there was
+  kFault = 2,         // the hardware says that it cannot go on
   kEmergencyStop = 3  // of the control, not of a Hal: an emergency stop is pressed, or cannot be read
 };
 
