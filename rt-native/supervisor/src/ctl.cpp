@@ -2,6 +2,7 @@
 #include <getopt.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <charconv>
 #include <chrono>
 #include <cmath>
@@ -220,43 +221,50 @@ int ask(Client& client, const std::string& command, const std::vector<std::strin
   return print(reply);
 }
 
-// How the emergency stops stand, for the user.
-std::string stopTable(Client& client) {
-  const link::Reply stops = client.request("stops", kReply);
-  if (!stops.ok) throw std::runtime_error(stops.text);
-  std::istringstream lines(stops.text);
-  std::ostringstream out;
-  for (std::string state, name; std::getline(lines, state, '\t') && std::getline(lines, name);)
-    out << std::left << std::setw(26) << name << (state == "unread" ? "cannot be read, which counts as pressed" : state)
-        << '\n';
-  return out.str().empty() ? "This robot has no emergency stops.\n" : out.str();
+struct Stop {
+  std::string state;  // released, pressed, unread
+  std::string name;
+};
+
+std::vector<Stop> stopsOf(Client& client) {
+  const link::Reply reply = client.request("stops", kReply);
+  if (!reply.ok) throw std::runtime_error(reply.text);
+  std::istringstream lines(reply.text);
+  std::vector<Stop> stops;
+  for (Stop stop; std::getline(lines, stop.state, '\t') && std::getline(lines, stop.name);) stops.push_back(stop);
+  return stops;
+}
+
+void printStops(const std::vector<Stop>& stops) {
+  for (const Stop& stop : stops)
+    std::cout << std::left << std::setw(25) << stop.name << ' '
+              << (stop.state == "unread" ? "cannot be read, which counts as pressed" : stop.state) << '\n';
+  if (stops.empty()) std::cout << "This robot has no emergency stops.\n";
 }
 
 // Whether every one that is meant stands as it is to.
-bool stand(const std::string& table, const std::string& name, const std::string& state) {
-  std::istringstream lines(table);
-  bool all = true;
-  for (std::string line; std::getline(lines, line);)
-    all = all && ((!name.empty() && line.rfind(name + " ", 0) != 0) || line.ends_with(state));
-  return all;
+bool stand(const std::vector<Stop>& stops, const std::string& name, const std::string& state) {
+  return std::all_of(stops.begin(), stops.end(),
+                     [&](const Stop& stop) { return (!name.empty() && stop.name != name) || stop.state == state; });
+}
+
+void press(Client& client, const std::string& name, bool on) {
+  const link::Reply asked = client.request((on ? "press 1 " : "press 0 ") + name, kReply);
+  if (!asked.ok) throw std::runtime_error(asked.text);
+  const auto until = std::chrono::steady_clock::now() + kReply;
+  while (!stand(stopsOf(client), name, on ? "pressed" : "released")) {
+    if (std::chrono::steady_clock::now() > until) throw std::runtime_error("The HAL did not obey in time.");
+    std::this_thread::sleep_for(kReferencePeriod);
+  }
 }
 
 int emergencyStop(Client& client, const std::vector<std::string>& words) {
   if (!words.empty()) {
     const bool on = words.front() == "on";
     if (!on && words.front() != "off") throw Wrong("estop needs on or off, not '" + words.front() + "'.");
-    const std::string name = joined({words.begin() + 1, words.end()});
-    if (const link::Reply asked =
-            client.request(std::string(on ? "press 1" : "press 0") + (name.empty() ? "" : " ") + name, kReply);
-        !asked.ok)
-      return print(asked);
-    const auto until = std::chrono::steady_clock::now() + kReply;
-    while (!stand(stopTable(client), name, on ? "pressed" : "released")) {
-      if (std::chrono::steady_clock::now() > until) throw std::runtime_error("The HAL did not obey in time.");
-      std::this_thread::sleep_for(kReferencePeriod);
-    }
+    press(client, joined({words.begin() + 1, words.end()}), on);
   }
-  std::cout << stopTable(client);
+  printStops(stopsOf(client));
   return 0;
 }
 

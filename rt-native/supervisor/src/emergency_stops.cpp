@@ -10,7 +10,9 @@
 namespace robotui::rt::supervisor {
 namespace {
 
-constexpr const char* kUnread = "cannot be read, which counts as pressed";
+constexpr const char* kUnread = " cannot be read, which counts as pressed";
+
+bool isOne(std::uint16_t bits) { return std::bitset<link::kMaxStops>(bits).count() == 1; }
 
 }  // namespace
 
@@ -19,18 +21,13 @@ std::string EmergencyStops::named(std::uint16_t bits) const {
   for (std::size_t i = 0; i < stops_.size(); ++i) {
     if ((bits >> i & 1U) != 0) names += (names.empty() ? "'" : ", '") + stops_[i].name + "'";
   }
-  const bool one = std::bitset<link::kMaxStops>(bits).count() == 1;
-  return (one ? "emergency stop " : "emergency stops ") + names + (one ? " is " : " are ");
+  return (isOne(bits) ? "emergency stop " : "emergency stops ") + names;
 }
 
 std::string EmergencyStops::causeOf(const link::StopBits& bits) const {
   std::string text;
-  if (bits.pressed != 0) text = "The " + named(bits.pressed) + "pressed";
-  if (bits.unread != 0) {
-    std::string unread = named(bits.unread);
-    unread.resize(unread.rfind(' ', unread.size() - 2) + 1);  // without its verb
-    text += (text.empty() ? "The " : ", and the ") + unread + kUnread;
-  }
+  if (bits.pressed != 0) text = "The " + named(bits.pressed) + (isOne(bits.pressed) ? " is" : " are") + " pressed";
+  if (bits.unread != 0) text += (text.empty() ? "The " : ", and the ") + named(bits.unread) + kUnread;
   return text;
 }
 
