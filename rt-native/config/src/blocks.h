@@ -10,6 +10,9 @@ HalConfig readHal(const Reader& top, const Overrides& overrides, std::vector<std
 // `following_error` and `following_time` of the HAL, for the joints of the robot, which is known.
 void readFollowing(const Reader& top, RtConfig& into);
 
+// `emergency_stops` of the HAL, whose inputs may be those of joints, which are known.
+void readEmergencyStops(const Reader& top, RtConfig& into);
+
 // `xbotcore_threads`; without it one thread of the HAL's period, named as XBot users know it.
 std::vector<ThreadConfig> readThreads(const Reader& top, const HalConfig& hal, const Overrides& overrides,
                                       std::vector<std::string>& warnings);

@@ -80,9 +80,26 @@ HalConfig readHal(const Reader& top, const Overrides& overrides, std::vector<std
   hal.params = YAML::Node(YAML::NodeType::Map);
   hal.place = top.place();
   if (const auto block = top.find("HALInterface")) {
-    block->knows({"type", "lib_file", "lib_name", "IJoint", "IEndEffectors", "ISensors", "misses_before_safe",
-                  "deadline", "safe_law", "safe_damping", "following_error", "following_time", "period_us", "sched",
-                  "prio", "runtime", "core_id", "cpu_dma_latency_us", "params"},
+    block->knows({"type",
+                  "lib_file",
+                  "lib_name",
+                  "IJoint",
+                  "IEndEffectors",
+                  "ISensors",
+                  "misses_before_safe",
+                  "deadline",
+                  "safe_law",
+                  "safe_damping",
+                  "following_error",
+                  "following_time",
+                  "period_us",
+                  "sched",
+                  "prio",
+                  "runtime",
+                  "core_id",
+                  "cpu_dma_latency_us",
+                  "emergency_stops",
+                  "params"},
                  warnings);
     hal.place = block->place();
     readType(*block, hal);

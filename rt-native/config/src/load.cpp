@@ -102,6 +102,7 @@ RtConfig load(const std::filesystem::path& file, const Overrides& overrides) {
   readOthers(top, config);
   config.hal = readHal(top, overrides, config.warnings);
   readFollowing(top, config);
+  readEmergencyStops(top, config);
   config.threads = readThreads(top, config.hal, overrides, config.warnings);
   readPlugins(top, config);
   checkLimits(top, config);

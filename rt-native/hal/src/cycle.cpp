@@ -16,13 +16,18 @@ link::Counts countsOf(const config::RobotDescription& robot) noexcept {
                         static_cast<std::uint32_t>(robot.force_torques.size())});
 }
 
+std::uint64_t cyclesInASecond(const CycleSettings& settings) noexcept {
+  return static_cast<std::uint64_t>(
+      std::max<std::int64_t>(1, link::kSecond / std::max<std::int64_t>(1, settings.period_ns)));
+}
+
 }  // namespace
 
 Cycle::Cycle(const config::RobotDescription& robot, const CycleSettings& settings, Hal& hal,
              const link::BoardSegment& board, CommandInbox& inbox, SafeTorque& torque, link::StateSegment& state)
     : settings_(settings), hal_(&hal), board_(board), inbox_(&inbox), torque_(&torque), writer_(state, countsOf(robot)),
-      falls_(countsOf(robot).joints, static_cast<std::uint64_t>(std::max<std::int64_t>(
-                                         1, link::kSecond / std::max<std::int64_t>(1, settings.period_ns)))) {
+      falls_(countsOf(robot).joints, cyclesInASecond(settings)),
+      stops_(settings.emergency_stops, cyclesInASecond(settings)) {
   const link::Counts counts = countsOf(robot);
   measured_ = {std::span(frame_.joints).first(counts.joints), std::span(frame_.imus).first(counts.imus),
                std::span(frame_.force_torques).first(counts.force_torques)};
@@ -38,8 +43,8 @@ Cycle::Cycle(const config::RobotDescription& robot, const CycleSettings& setting
 
 void Cycle::run(std::uint64_t cycle, std::int64_t start_ns) noexcept {
   inbox_->begin();
-  falls_.begin(cycle);
-  sense();
+  sense(cycle);
+  falls_.begin(cycle, stops_.bits());
   assign();
   follow();
   publish(cycle);
@@ -71,14 +76,25 @@ void Cycle::keepOld() noexcept {
   }
 }
 
-// A robot that was away may have been moved: then all goes on from where it is.
-void Cycle::sense() noexcept {
+// An emergency stop that is pressed explains what else the hardware says; one that cannot be read does not.
+Status Cycle::shown(Status sensed) const noexcept {
+  const bool is_told = stops_.isPressed() || (stops_.isStopped() && sensed == Status::kOk);
+  return is_told ? Status::kEmergencyStop : sensed;
+}
+
+void Cycle::anchor() noexcept {
+  for (std::size_t j = 0; j < joints_.size(); ++j) joints_[j].anchor(measured_.joints[j]);
+}
+
+// A robot that was away, or without power, may have been moved: then all goes on from where it is.
+void Cycle::sense(std::uint64_t cycle) noexcept {
   Status status = hal_->sense(measured_);
+  stops_.look(*hal_, cycle);
   if (!areNumbers()) {
     keepOld();
     status = Status::kFault;
   }
-  frame_.hal_status = static_cast<std::uint32_t>(status);
+  frame_.hal_status = static_cast<std::uint32_t>(shown(status));
   frame_.sensed_ns = link::now();
   if (status != Status::kOk) {
     link::relaxedAdd<std::uint64_t>(writer_.loop().sense_failures, 1);
@@ -86,9 +102,7 @@ void Cycle::sense() noexcept {
     away_ = away_ || silent_ == settings_.misses_before_safe;
     return;
   }
-  if (!sensed_ || away_) {
-    for (std::size_t j = 0; j < joints_.size(); ++j) joints_[j].anchor(measured_.joints[j]);
-  }
+  if (!sensed_ || away_ || stops_.wasReleased()) anchor();
   sensed_ = true;
   away_ = false;
   silent_ = 0;
@@ -97,11 +111,12 @@ void Cycle::sense() noexcept {
 
 // Grant before owner: see BoardReader.
 void Cycle::assign() noexcept {
-  const bool all_safe = away_ || ending_.load(std::memory_order_relaxed);
+  const bool all_safe = away_ || stops_.isStopped() || ending_.load(std::memory_order_relaxed);
   for (std::uint32_t j = 0; j < joints_.size(); ++j) {
     const std::uint32_t grant = board_.grant(j);
     const std::uint16_t owner = board_.owner(j);
     if (joints_[j].belongs(owner, grant, measured_.joints[j])) inbox_->forgive(owner);
+    if (stops_.isStopped()) fall(j, link::FallCause::kEmergency);
     if (away_) fall(j, link::FallCause::kHardware);
     if (all_safe) joints_[j].makeSafe();
     if (owner != link::kNobody && !joints_[j].isSafe()) inbox_->want(owner);

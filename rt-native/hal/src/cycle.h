@@ -13,6 +13,7 @@
 #include "robotui/rt/link/board.h"
 #include "robotui/rt/link/state.h"
 #include "safe_torque.h"
+#include "stop_inputs.h"
 
 namespace robotui::rt::hal {
 
@@ -23,6 +24,7 @@ struct CycleSettings {
   std::uint32_t misses_before_safe = 2;
   std::vector<double> following_errors = {};  // by joint, rad or m; those that are not there are not supervised
   std::uint64_t following_cycles = 500;       // in turn beyond that, and the joint falls
+  std::size_t emergency_stops = 0;
 };
 
 class Cycle {
@@ -46,9 +48,14 @@ class Cycle {
   // On one ordinary thread: what there is to tell of joints. False where there is nothing more.
   bool takeEvent(link::JointEvent& into) noexcept { return falls_.take(into); }
 
+  // On the same thread: which emergency stops keep the robot safe.
+  StopReport takeStops() noexcept { return stops_.take(); }
+
  private:
-  void sense() noexcept;
+  void sense(std::uint64_t cycle) noexcept;
   bool areNumbers() noexcept;
+  Status shown(Status sensed) const noexcept;
+  void anchor() noexcept;
   void keepOld() noexcept;
   void publish(std::uint64_t cycle) noexcept;
   void assign() noexcept;
@@ -73,6 +80,7 @@ class Cycle {
   Measurements measured_;
   std::vector<JointControl> joints_;
   JointFalls falls_;
+  StopInputs stops_;
   std::vector<std::uint64_t> astray_;  // cycles in turn too far from the reference, by joint
   std::vector<Reference> references_;
   std::vector<double> torques_;

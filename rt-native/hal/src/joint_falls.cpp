@@ -15,6 +15,7 @@ link::JointEvent JointFalls::eventOf(std::uint32_t joint, const JointControl& co
   event.objection = control.objection();
   event.rejected = control.rejected();
   event.cycle = cycle_;
+  event.stops = stops_;
   event.joints.set(joint);
   return event;
 }

@@ -18,7 +18,10 @@ class JointFalls {
   JointFalls(std::uint32_t joints, std::uint64_t say_again_after);
 
   // ---- on the real-time thread, between begin() and end() of a cycle
-  void begin(std::uint64_t cycle) noexcept { cycle_ = cycle; }
+  void begin(std::uint64_t cycle, const link::StopBits& stops = {}) noexcept {
+    cycle_ = cycle;
+    stops_ = stops;
+  }
   void refused(std::uint32_t joint, const JointControl& control) noexcept;
   void fell(std::uint32_t joint, const JointControl& control, link::FallCause cause, double error) noexcept;
   bool hasFallen(std::uint16_t plugin) const noexcept;  // since begin()
@@ -32,6 +35,7 @@ class JointFalls {
   link::JointEvent eventOf(std::uint32_t joint, const JointControl& control) const noexcept;
 
   std::uint64_t cycle_ = 0;
+  link::StopBits stops_{};
   std::uint64_t say_again_after_;
   std::vector<std::uint64_t> said_;                           // cycle, by joint; 0 is never
   std::array<link::JointEvent, link::kMaxPlugins> fallen_{};  // of this cycle, or that found no room in the queue

@@ -16,11 +16,12 @@ namespace udp = robotui::rt::hal::udp;
 namespace config = robotui::rt::config;
 
 volatile std::sig_atomic_t ended = 0;
+volatile std::sig_atomic_t opened = 0;  // the circuits of all emergency stops
 
 constexpr const char* kUsage =
     "robotui-rt-joints -C CONFIG [--address IP] [--port PORT] [--watchdog-ms MS] [--posture NAME]\n"
     "Simulates the joint controller of the robot that CONFIG describes, for a HAL of type udp, at the port where that "
-    "looks for it.\n";
+    "looks for it. SIGUSR1 opens the circuits of all emergency stops, SIGUSR2 closes them.\n";
 
 struct Arguments {
   std::string config;
@@ -59,7 +60,10 @@ void serve(Arguments arguments) {
   arguments.settings.port = arguments.port.value_or(portOf(loaded.hal, arguments.settings.port));
   udp::JointServer server(loaded.robot, arguments.settings);
   std::cout << "port " << server.port() << std::endl;
-  while (ended == 0) server.step();
+  while (ended == 0) {
+    server.wire(opened != 0 ? 0 : 0xffff);
+    server.step();
+  }
 }
 
 }  // namespace
@@ -67,6 +71,8 @@ void serve(Arguments arguments) {
 int main(int argc, char** argv) {
   std::signal(SIGTERM, [](int) { ended = 1; });
   std::signal(SIGINT, [](int) { ended = 1; });
+  std::signal(SIGUSR1, [](int) { opened = 1; });
+  std::signal(SIGUSR2, [](int) { opened = 0; });
   try {
     serve(parse(argc, argv));
     return 0;

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "robotui/rt/hal/kinds.h"
+#include "robotui/rt/link/words.h"
 
 namespace robotui::rt::hal {
 
@@ -49,7 +50,8 @@ CycleSettings cycleSettings(const config::HalConfig& hal) {
           .misses_before_safe = static_cast<std::uint32_t>(hal.misses_before_safe),
           .following_errors = hal.following_errors,
           .following_cycles = std::max<std::uint64_t>(
-              1, static_cast<std::uint64_t>(hal.following_time * 1e6 / static_cast<double>(hal.period.count())))};
+              1, static_cast<std::uint64_t>(hal.following_time * 1e6 / static_cast<double>(hal.period.count()))),
+          .emergency_stops = hal.emergency_stops.size()};
 }
 
 }  // namespace
@@ -111,11 +113,28 @@ void Process::tellDrives(const link::Socket& supervisor) {
   supervisor.send("drives " + told_drives_);
 }
 
+void Process::tellStops(const link::Socket& supervisor) {
+  const StopReport now = cycle_->takeStops();
+  if (now.bits == told_stops_) return;
+  told_stops_ = now.bits;
+  supervisor.send("stops " + std::to_string(now.bits.pressed) + " " + std::to_string(now.bits.unread) + " " +
+                  std::to_string(now.cycle));
+}
+
+void Process::press(std::string_view words, const link::Socket& supervisor) {
+  const auto [index, wanted] = link::splitWord(words);
+  std::size_t stop = link::kMaxStops;
+  std::from_chars(index.data(), index.data() + index.size(), stop);
+  if (!hal_->press(stop, wanted == "1"))
+    supervisor.send("log warn The emergency stops of this HAL are real: press and release them by hand.");
+}
+
 void Process::obey(const link::Socket& supervisor, const std::atomic<bool>& ended) {
   link::Packet packet;
   while (!ended) {
     const link::Received received = supervisor.receive(packet, kLook);
     for (const std::string& sentence : hal_->news()) supervisor.send("log warn " + sentence);
+    tellStops(supervisor);
     for (link::JointEvent event; cycle_->takeEvent(event);) supervisor.send(link::textOf(event));
     tellDrives(supervisor);
     if (received == link::Received::kTimeout) continue;
@@ -124,6 +143,8 @@ void Process::obey(const link::Socket& supervisor, const std::atomic<bool>& ende
       const bool recovers = packet.verb() == "recover";
       for (const std::string& sentence : recovers ? hal_->recover() : hal_->enable(packet.verb() == "enable"))
         supervisor.send("log info " + sentence);
+    } else if (packet.verb() == "press") {
+      press(packet.rest(), supervisor);
     } else if (packet.verb() != "host" || !replaceHost(packet)) {
       supervisor.send("log warn The HAL does not understand '" + packet.text + "'.");
     }

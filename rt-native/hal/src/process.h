@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "command_plan.h"
 #include "wake_latency.h"
@@ -40,6 +41,8 @@ class Process {
   void stayAwake(int most_us);
   bool replaceHost(link::Packet& packet);
   void tellDrives(const link::Socket& supervisor);
+  void tellStops(const link::Socket& supervisor);
+  void press(std::string_view words, const link::Socket& supervisor);
 
   link::Segment<link::StateSegment> state_;
   link::Segment<const link::BoardSegment> board_;
@@ -52,6 +55,7 @@ class Process {
   std::unique_ptr<WakeLatency> wake_latency_;
   std::vector<std::string> warnings_;
   std::string told_drives_;
+  link::StopBits told_stops_{};
 };
 
 }  // namespace robotui::rt::hal

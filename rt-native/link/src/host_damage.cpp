@@ -4,6 +4,7 @@
 #include <atomic>
 
 #include "robotui/rt/link/clock.h"
+#include "robotui/rt/link/deadline.h"
 #include "robotui/rt/link/relaxed.h"
 #include "robotui/rt/link/segment.h"
 
@@ -18,7 +19,6 @@ namespace {
 
 constexpr std::int64_t kLongest = 24 * 3600 * kSecond;  // of anything that is measured
 constexpr std::int64_t kLongestPeriod = 1000 * kSecond;
-constexpr std::int32_t kHighestPriority = 99;
 constexpr std::int32_t kMostCores = 8192;
 
 template <class T>
@@ -50,7 +50,7 @@ bool isHistogram(const Histogram& shared) {
 bool isThread(const ThreadStatistics& thread) {
   const std::uint32_t inside = thread.inside.load(std::memory_order_relaxed);
   return isName(thread.name) && isWithin<std::int64_t>(thread.period_ns, 0, kLongestPeriod) &&
-         isWithin<std::int32_t>(thread.priority, 0, kHighestPriority) &&
+         isWithin<std::int32_t>(thread.priority, 0, kByDeadline) &&
          isWithin<std::int32_t>(thread.core, -1, kMostCores) && (inside == kNobody || inside < kMaxPlugins) &&
          isHistogram(thread.wake_up) && isHistogram(thread.busy);
 }

@@ -7,7 +7,7 @@ namespace robotui::rt::link {
 
 namespace {
 
-constexpr unsigned kCauses = 5;
+constexpr unsigned kCauses = 6;
 constexpr unsigned kObjections = 5;
 
 }  // namespace
@@ -16,7 +16,7 @@ std::string textOf(const JointEvent& event) {
   std::ostringstream text;
   text << "joints " << static_cast<unsigned>(event.cause) << ' ' << static_cast<unsigned>(event.objection) << ' '
        << event.plugin << ' ' << event.joint << ' ' << event.grant << ' ' << event.rejected << ' ' << event.cycle << ' '
-       << event.error << ' ' << event.joints;
+       << event.error << ' ' << event.stops.pressed << ' ' << event.stops.unread << ' ' << event.joints;
   return text.str();
 }
 
@@ -26,7 +26,7 @@ std::optional<JointEvent> jointEventOf(std::string_view words) {
   unsigned objection = 0;
   JointEvent event;
   text >> cause >> objection >> event.plugin >> event.joint >> event.grant >> event.rejected >> event.cycle >>
-      event.error >> event.joints;
+      event.error >> event.stops.pressed >> event.stops.unread >> event.joints;
   if (text.fail() || cause >= kCauses || objection >= kObjections || event.joint >= kMaxJoints ||
       event.plugin >= kMaxPlugins || !std::isfinite(event.error))
     return std::nullopt;

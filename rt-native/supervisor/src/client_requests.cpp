@@ -49,10 +49,14 @@ void ClientRequests::dispatch(std::uint64_t client, const link::Packet& packet) 
     robot_.disable(client);
   } else if (verb == "drives") {
     robot_.drives(client);
+  } else if (verb == "stops") {
+    robot_.stops(client);
+  } else if (verb == "press") {
+    robot_.press(client, rest);
   } else {
     replies_.answer(client, "The request " + quoted(verb) +
                                 " is not known. There are: attach, switch, reload, command, status, trajectory, take, "
-                                "release, follower, describe, drives, recover, enable, disable, reference.");
+                                "release, follower, describe, drives, recover, enable, disable, stops, press, reference.");
   }
 }
 

@@ -2,13 +2,16 @@
 #include <getopt.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <charconv>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <iomanip>
 #include <iostream>
 #include <memory>
+#include <sstream>
 #include <stdexcept>
 #include <thread>
 
@@ -44,6 +47,7 @@ constexpr const char* kUsage = R"(robotui-rt-ctl [--name NAME] COMMAND
   drives                       where each drive stands: disabled, enabling, enabled, fault, silent (docs/rt-canopen.md)
   recover                      bring drives back that a fault has disabled
   enable, disable              enable the drives that are disabled, or disable all; no plugin leads a joint then
+  estop [on|off [NAME]]        how the emergency stops stand; press or release one of a simulation, or all
   reload PLUGIN                load its library and its parameters anew
   reference JOINT=POSITION... [--for SECONDS]
                                command joints as the master framework (the communication plugin must run)
@@ -217,6 +221,53 @@ int ask(Client& client, const std::string& command, const std::vector<std::strin
   return print(reply);
 }
 
+struct Stop {
+  std::string state;  // released, pressed, unread
+  std::string name;
+};
+
+std::vector<Stop> stopsOf(Client& client) {
+  const link::Reply reply = client.request("stops", kReply);
+  if (!reply.ok) throw std::runtime_error(reply.text);
+  std::istringstream lines(reply.text);
+  std::vector<Stop> stops;
+  for (Stop stop; std::getline(lines, stop.state, '\t') && std::getline(lines, stop.name);) stops.push_back(stop);
+  return stops;
+}
+
+void printStops(const std::vector<Stop>& stops) {
+  for (const Stop& stop : stops)
+    std::cout << std::left << std::setw(25) << stop.name << ' '
+              << (stop.state == "unread" ? "cannot be read, which counts as pressed" : stop.state) << '\n';
+  if (stops.empty()) std::cout << "This robot has no emergency stops.\n";
+}
+
+// Whether every one that is meant stands as it is to.
+bool stand(const std::vector<Stop>& stops, const std::string& name, const std::string& state) {
+  return std::all_of(stops.begin(), stops.end(),
+                     [&](const Stop& stop) { return (!name.empty() && stop.name != name) || stop.state == state; });
+}
+
+void press(Client& client, const std::string& name, bool on) {
+  const link::Reply asked = client.request((on ? "press 1 " : "press 0 ") + name, kReply);
+  if (!asked.ok) throw std::runtime_error(asked.text);
+  const auto until = std::chrono::steady_clock::now() + kReply;
+  while (!stand(stopsOf(client), name, on ? "pressed" : "released")) {
+    if (std::chrono::steady_clock::now() > until) throw std::runtime_error("The HAL did not obey in time.");
+    std::this_thread::sleep_for(kReferencePeriod);
+  }
+}
+
+int emergencyStop(Client& client, const std::vector<std::string>& words) {
+  if (!words.empty()) {
+    const bool on = words.front() == "on";
+    if (!on && words.front() != "off") throw Wrong("estop needs on or off, not '" + words.front() + "'.");
+    press(client, joined({words.begin() + 1, words.end()}), on);
+  }
+  printStops(stopsOf(client));
+  return 0;
+}
+
 struct Call {
   std::string robot;
   double seconds = 0;
@@ -268,6 +319,8 @@ int work(const Call& call) {
     std::cout << loopTable(client.attach(kReply));
   } else if (call.command == "watch") {
     return watch(client, call.words.empty() ? 1e9 : numberOf(call.words.front(), "watch"));
+  } else if (call.command == "estop") {
+    return emergencyStop(client, call.words);
   } else if (call.command == "trajectory") {
     if (call.words.empty()) throw Wrong("trajectory needs a file of points, such as trajectory wave.yaml");
     return runTrajectory(client, call.words.size() > 1 ? call.words[1] : "JointTrajectory", call.words.front());

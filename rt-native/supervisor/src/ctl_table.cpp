@@ -92,6 +92,14 @@ std::string reasons(const link::BoardData& board, const link::FrameData& frame) 
   return text;
 }
 
+// Said of the robot as a whole, also where no plugin leads a joint.
+std::string emergency(const link::FrameData& frame) {
+  constexpr std::uint32_t kEmergencyStop = 3;  // of hal::Status
+  return frame.hal_status == kEmergencyStop
+             ? "An emergency stop is pressed, and all joints are safe: robotui-rt-ctl estop says which.\n"
+             : "";
+}
+
 // What runs in a thread: its state is that of the board, as everywhere.
 std::string pluginsIn(const link::BoardData& board, std::uint32_t host, std::uint32_t thread) {
   std::string text;
@@ -116,6 +124,8 @@ std::string pluginTable(const link::Attachment& attachment) {
     out << std::left << std::setw(26) << link::view(plugin.name) << std::setw(10) << word(kStates, plugin.state)
         << std::setw(10) << link::view(board->host[host].name) << link::view(plugin.error) << '\n';
   }
+  auto frame = std::make_unique<link::FrameData>();
+  if (link::StateReader(*attachment.state).newest(*frame) == link::Read::kNew) out << emergency(*frame);
   out << damages(attachment, *board);
   return out.str();
 }
@@ -132,7 +142,7 @@ std::string jointTable(const link::Attachment& attachment) {
         << joint.link_position << std::setw(10) << joint.position_reference << "  " << std::left << std::setw(10)
         << word(kControls, joint.control) << ownerName(*board, joint.owner) << counts(joint) << '\n';
   }
-  out << reasons(*board, *frame) << damages(attachment, *board);
+  out << emergency(*frame) << reasons(*board, *frame) << damages(attachment, *board);
   return out.str();
 }
 

@@ -37,6 +37,10 @@ void HalSupervisor::receive() {
       joints_.handle(packet.rest(), link::now());
       continue;
     }
+    if (packet.verb() == "stops") {
+      stops_.handle(packet.rest());
+      continue;
+    }
     const bool was_open = hal_.isOpen();
     try {
       hal_.handle(packet);
@@ -58,6 +62,7 @@ bool HalSupervisor::ended(const std::string& how, bool serving) {
   const bool opened = hal_.isOpen();
   const std::string sentence = hal_.failure().empty() ? "The HAL " + how + "." : hal_.failure();
   hal_.ended(link::now());
+  stops_.forget();
   board_.edit().hal_pid = 0;
   log_.error(sentence);
   hosts_.killAll();

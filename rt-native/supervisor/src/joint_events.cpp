@@ -80,8 +80,11 @@ void JointEvents::judge(const JointEvent& event) {
 
 void JointEvents::stop(const JointEvent& event) {
   const std::string& name = registry_.name(event.plugin);
+  const std::string before =
+      event.cause == FallCause::kEmergency ? "release the emergency stop, look at the robot, then " : "";
   const std::string sentence = causeOf(event) + upTo(event) + ": " + fallen(event) +
-                               ", and the plugin is stopped. To come back: robotui-rt-ctl switch " + name + " 1.";
+                               ", and the plugin is stopped. To come back: " + before + "robotui-rt-ctl switch " +
+                               name + " 1.";
   log_.error(sentence);
   if (registry_.state(event.plugin) != PluginState::kStopping) {
     hosts_[registry_.host(event.plugin)].child().socket().send("stop " + name);
@@ -114,6 +117,7 @@ std::string JointEvents::causeOf(const JointEvent& event) const {
   switch (event.cause) {
     case FallCause::kNone: break;
     case FallCause::kMissed: return missed(event);
+    case FallCause::kEmergency: return stops_.causeOf(event.stops);
     case FallCause::kRejected:
       return "What the plugin " + name + " commands the joint " + joint(event.joint) + " " + wordsOf(event.objection) +
              ", " + std::to_string(config_.hal.misses_before_safe) + " times in turn";

@@ -29,15 +29,21 @@ void PluginRequests::switchPlugin(std::uint64_t client, std::string_view words) 
   }
 }
 
+// What has no joints may look on, also while an emergency stop is pressed.
+std::string PluginRequests::objection(std::uint32_t plugin) const {
+  const std::string stopped = registry_.hasJoints(plugin) ? stops_.objection() : std::string();
+  return stopped.empty() ? registry_.objection(plugin) : stopped;
+}
+
 void PluginRequests::start(std::uint64_t client, std::uint32_t plugin) {
   if (registry_.state(plugin) == PluginState::kRunning) {
     replies_.answer(client, {});
     return;
   }
   if (registry_.state(plugin) != PluginState::kStarting) {
-    const std::string objection = registry_.objection(plugin);
-    if (!objection.empty()) {
-      replies_.answer(client, objection);
+    const std::string why = objection(plugin);
+    if (!why.empty()) {
+      replies_.answer(client, why);
       return;
     }
     registry_.starting(plugin);

@@ -59,6 +59,30 @@ void RobotRequests::drives(std::uint64_t client) {
     replies_.answer(client, kNoHal);
 }
 
+void RobotRequests::stops(std::uint64_t client) {
+  if (hal_.isOpen())
+    replies_.reply(client, "ok " + stops_.lines());
+  else
+    replies_.answer(client, kNoHal);
+}
+
+void RobotRequests::press(std::uint64_t client, std::string_view words) {
+  const auto [wanted, name] = link::splitWord(words);
+  if (wanted != "1" && wanted != "0") {
+    replies_.answer(client, "press needs 1 or 0 before the emergency stop, not " + quoted(wanted) + ".");
+  } else if (!hal_.isOpen()) {
+    replies_.answer(client, kNoHal);
+  } else if (const std::string objection = stops_.objectionToPress(name); !objection.empty()) {
+    replies_.answer(client, objection);
+  } else {
+    for (std::size_t i = 0; i < stops_.size(); ++i) {
+      if (name.empty() || stops_.name(i) == name)
+        hal_.child().socket().send("press " + std::to_string(i) + " " + std::string(wanted));
+    }
+    replies_.answer(client, {});
+  }
+}
+
 void RobotRequests::describe(std::uint64_t client, std::string_view words) {
   const auto [which, from] = link::splitWord(words);
   std::size_t offset = 0;

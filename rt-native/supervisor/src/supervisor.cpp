@@ -20,12 +20,12 @@ Supervisor::Supervisor(const Options& options, const config::RtConfig& config, c
       master_(static_cast<std::uint32_t>(config.robot.joints.size()), config.master),
       ros_process_(config.master == "ROS" && options.communication.enabled), replies_(board_, server),
       pending_([this](std::uint64_t client, const std::string& text) { replies_.reply(client, text); }),
-      events_(registry_, pending_, log),
+      stops_(config.hal, log), events_(registry_, pending_, log),
       hosts_(options, plan, {hal_process_, board_, master_, ros_process_}, events_, replies_, log),
-      joint_events_(config, plan, registry_, hosts_, pending_, log),
-      hal_(options, config, hal_process_, board_, hosts_, joint_events_, replies_, log),
-      ros_(options, ros_process_, hosts_, log), plugin_requests_(registry_, hosts_, pending_, board_, replies_),
-      robot_requests_(config.robot, hal_process_, hosts_, board_, replies_),
+      joint_events_(config, plan, registry_, hosts_, pending_, stops_, log),
+      hal_(options, config, hal_process_, board_, hosts_, joint_events_, stops_, replies_, log),
+      ros_(options, ros_process_, hosts_, log), plugin_requests_(registry_, hosts_, pending_, board_, stops_, replies_),
+      robot_requests_(config.robot, hal_process_, hosts_, board_, stops_, replies_),
       master_requests_(master_, registry_, options.communication.enabled, replies_, log),
       requests_(plugin_requests_, robot_requests_, master_requests_, replies_, log) {}
 

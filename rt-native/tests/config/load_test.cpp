@@ -42,6 +42,23 @@ TEST(Load, JointsAreSupervisedUnlessThatIsTurnedOff) {
   EXPECT_EQ(Workspace{}.load("HALInterface: {following_time: 0.05}\n").hal.following_time, 0.05);
 }
 
+TEST(Load, EmergencyStopsHaveNamesAndInputs) {
+  EXPECT_TRUE(Workspace{}.load().hal.emergency_stops.empty());
+  const auto stops =
+      Workspace{}.load("HALInterface: {emergency_stops: {cell door: {}, mat: {closed: false}}}\n").hal.emergency_stops;
+  ASSERT_EQ(stops.size(), 2U);
+  EXPECT_EQ(stops[0].name, "cell door");
+  EXPECT_TRUE(stops[0].closed);
+  EXPECT_EQ(stops[1].input, 1);
+  EXPECT_FALSE(stops[1].closed);
+  const auto on_bus =
+      Workspace{}
+          .load("HALInterface: {type: canopen, emergency_stops: {pendant: {joint: elbow, input: 16}}}\n")
+          .hal.emergency_stops;
+  EXPECT_EQ(on_bus.at(0).joint, "elbow");
+  EXPECT_EQ(on_bus.at(0).input, 16);
+}
+
 TEST(Load, ANegativeInertiaIsKeptAndWarnedOfWhereThatIsWanted) {
   const Workspace at;
   at.write("robot.urdf", replaced(kUrdf, R"(ixx="0.1")", R"(ixx="-0.1")"));

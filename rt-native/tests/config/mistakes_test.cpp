@@ -51,6 +51,19 @@ TEST_F(Mistakes, LimitsOfJointsThatAreNot) {
   expect("HALInterface: {following_error: {elbow: a lot}}\n", "HALInterface.following_error.elbow");
 }
 
+TEST_F(Mistakes, EmergencyStopsThatAreNone) {
+  const auto stops = [](const std::string& type, const std::string& text) {
+    return "HALInterface: {type: " + type + ", emergency_stops: {" + text + "}}\n";
+  };
+  expect(stops("canopen", "door: {input: 16}"), "needs the joint whose drive has the input");
+  expect(stops("canopen", "door: {joint: elbo, input: 16}"), "did you mean 'elbow'?");
+  expect(stops("canopen", "door: {joint: elbow}"), "input: 16");
+  expect(stops("canopen", "door: {joint: elbow, input: 32}"), "HALInterface.emergency_stops.door.input");
+  expect(stops("dummy", "a: {input: 1}, b: {}"), "has the input of a");
+  expect(stops("dummy", "a: {bit: 1}"), "HALInterface.emergency_stops.a.bit");
+  expect(stops("dummy", "'': {}"), "needs a name of 1 to 63 characters");
+}
+
 TEST_F(Mistakes, DeadlinesThatTheKernelWouldRefuse) {
   expect("HALInterface: {sched: deadline, core_id: 0}\n", "core_id cannot be with sched: deadline");
   expect("HALInterface: {sched: deadline, prio: 80}\n", "prio means nothing with sched: deadline");

@@ -42,11 +42,15 @@ class FakeHal : public Hal {
     ++moves;
     return Status::kOk;
   }
+  void senseStops(std::span<StopInput> into) noexcept override {
+    std::copy_n(stops.begin(), std::min(stops.size(), into.size()), into.begin());
+  }
   void close() noexcept override {}
 
   Status status = Status::kOk;
   double position = 0;
   double velocity = 0;
+  std::vector<StopInput> stops;
   std::vector<Reference> sent;
   int moves = 0;
 };

@@ -22,6 +22,7 @@ class Server {
       : server_(robot, {.address = "127.0.0.1", .port = port, .watchdog_ns = 30 * link::kMillisecond, .posture = ""}),
         thread_([this](const std::stop_token& stop) {
           while (!stop.stop_requested()) {
+            server_.wire(circuits_);
             server_.step();
             holds_ = server_.holds();
             refused_ = server_.refused();
@@ -30,9 +31,11 @@ class Server {
   std::uint16_t port() const { return server_.port(); }
   bool holds() const noexcept { return holds_; }
   std::uint64_t refused() const noexcept { return refused_; }
+  void wire(std::uint16_t circuits) noexcept { circuits_ = circuits; }
 
  private:
   JointServer server_;
+  std::atomic<std::uint16_t> circuits_{0xffff};
   std::atomic<bool> holds_{true};
   std::atomic<std::uint64_t> refused_{0};
   std::jthread thread_;
@@ -99,9 +102,11 @@ struct UdpTest : testing::Test {
   std::array<Reference, 3> references{};
   Measurements measured{joints, {}, {}};
   Udp hal;
+  std::vector<config::EmergencyStop> stops;
 
   void open(std::uint16_t port, int timeout_us = 30000) {
     config::HalConfig config;
+    config.emergency_stops = stops;
     config.params = YAML::Load("{port: " + std::to_string(port) + ", timeout_us: " + std::to_string(timeout_us) + "}");
     hal.open(robot, config, link::kMillisecond);
   }
@@ -188,6 +193,26 @@ TEST_F(UdpTest, a_counterpart_that_dies_is_a_time_out_and_one_that_returns_is_fo
   EXPECT_TRUE(cycleUntil([&] { return cycle() == Status::kTimeout; }));
   server = std::make_unique<Server>(robot, port);
   EXPECT_TRUE(cycleUntil([&] { return cycle() == Status::kOk; }));
+}
+
+TEST_F(UdpTest, emergency_stops_are_circuits_that_are_closed_unless_they_are_said_to_be_open) {
+  stops = {{"door", "", 0, true, {}}, {"mat", "", 3, false, {}}};
+  auto server = std::make_unique<Server>(robot, std::uint16_t{0});
+  server->wire(1);
+  open(server->port());
+  std::array<StopInput, 2> said{};
+  const auto say = [&](StopInput door, StopInput mat) {
+    return cycleUntil([&] {
+      said.fill(StopInput::kUnread);
+      hal.senseStops(said);
+      return said[0] == door && said[1] == mat;
+    });
+  };
+  EXPECT_TRUE(say(StopInput::kReleased, StopInput::kReleased));
+  server->wire(8);
+  EXPECT_TRUE(say(StopInput::kPressed, StopInput::kPressed));
+  server.reset();
+  EXPECT_TRUE(say(StopInput::kUnread, StopInput::kUnread));
 }
 
 TEST_F(UdpTest, wrong_parameters_are_named) {

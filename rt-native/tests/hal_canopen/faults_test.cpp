@@ -86,6 +86,25 @@ TEST_F(CanOpenTest, states_that_do_not_come_are_a_time_out) {
   EXPECT_TRUE(isTold("that did not come in their cycle")) << all();
 }
 
+TEST_F(CanOpenTest, emergency_stops_are_digital_inputs_of_a_drive_and_unknown_with_it) {
+  stops = {{"pendant", "joint_2", 16, true, {}}, {"mat", "joint_2", 17, false, {}}};
+  world.with(1, [](simulated::Drive& drive) { drive.dictionary().set(kDigitalInputs, 0x1'0000); });
+  open(", missed_pdos: 50");
+  std::array<StopInput, 2> said{};
+  const auto say = [&](StopInput pendant, StopInput mat) {
+    return cycleUntil([&] {
+      said.fill(StopInput::kUnread);
+      hal.senseStops(said);
+      return said[0] == pendant && said[1] == mat;
+    });
+  };
+  ASSERT_TRUE(say(StopInput::kReleased, StopInput::kReleased)) << all();
+  world.with(1, [](simulated::Drive& drive) { drive.dictionary().set(kDigitalInputs, 0x2'0000); });
+  EXPECT_TRUE(say(StopInput::kPressed, StopInput::kPressed)) << all();
+  world.with(1, [](simulated::Drive& drive) { drive.ailments().is_silent = true; });
+  EXPECT_TRUE(say(StopInput::kUnread, StopInput::kUnread)) << all();
+}
+
 TEST_F(CanOpenTest, a_drive_that_restarts_is_configured_anew) {
   open();
   ASSERT_TRUE(cycleUntil(Status::kOk)) << all();

@@ -83,10 +83,12 @@ struct CanOpenTest : testing::Test {
   bool is_open = false;
   bool is_sensed = false;
   std::vector<std::string> told;
+  std::vector<config::EmergencyStop> stops;
 
   // Patient: machines that test are late. `more` are parameters, with a comma in front.
   void open(const std::string& more = "", const std::string& drive = "") {
     config::HalConfig config;
+    config.emergency_stops = stops;
     std::string drives;
     for (int i = 1; i <= 2; ++i)
       drives += "joint_" + std::to_string(i) + ": {node: " + std::to_string(i) +

@@ -9,6 +9,7 @@
 
 #include "robotui/rt/link/board.h"
 #include "robotui/rt/link/clock.h"
+#include "robotui/rt/link/deadline.h"
 #include "robotui/rt/link/histogram.h"
 #include "robotui/rt/link/segment.h"
 
@@ -40,6 +41,14 @@ TEST(HostDamage, is_none_in_what_a_host_writes_while_it_writes) {
   for (int i = 0; i < 2000; ++i) ASSERT_EQ(damageOf(*host), "");
   done = true;
   writer.join();
+}
+
+TEST(HostDamage, is_none_in_a_thread_by_deadline) {
+  const auto host = written();
+  host->thread_statistics[0].priority = kByDeadline;
+  EXPECT_EQ(damageOf(*host), "");
+  host->thread_statistics[0].priority = kByDeadline + 1;
+  EXPECT_EQ(damageOf(*host), "what it says of its threads is overwritten");
 }
 
 TEST(HostDamage, is_named_by_what_it_hit) {

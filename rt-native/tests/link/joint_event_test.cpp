@@ -17,6 +17,7 @@ JointEvent event() {
   event.rejected = 17;
   event.cycle = 1'000'000'000'000ULL;
   event.error = 1.85;
+  event.stops = {5, 0x8000};
   event.joints.set(0).set(127);
   return event;
 }
@@ -36,6 +37,7 @@ TEST(JointEvent, comes_out_of_its_text_as_it_went_in) {
   EXPECT_EQ(read->rejected, 17U);
   EXPECT_EQ(read->cycle, 1'000'000'000'000ULL);
   EXPECT_EQ(read->error, 1.85);
+  EXPECT_EQ(read->stops, event().stops);
   EXPECT_EQ(read->joints, event().joints);
 }
 
@@ -53,7 +55,7 @@ TEST(JointEvent, is_none_where_a_word_is_missing_or_leads_out_of_the_layout) {
   other = event();
   other.error = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(jointEventOf(rest(textOf(other))));
-  EXPECT_FALSE(jointEventOf("9 0 1 1 1 1 1 1 0"));
+  EXPECT_FALSE(jointEventOf("9 0 1 1 1 1 1 1 0 0 0"));
 }
 
 }  // namespace

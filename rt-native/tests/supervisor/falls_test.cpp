@@ -27,8 +27,8 @@ std::string line(const std::string& table, const std::string& first) {
 
 class Falls : public ::testing::Test {
  protected:
-  void start(int misses = kMisses, const std::string& more = {}) {
-    robot_ = std::make_unique<RunningRobot>(simulatedArm(kTwoHosts + more, misses));
+  void start(int misses = kMisses, const std::string& more = {}, const std::string& hardware = {}) {
+    robot_ = std::make_unique<RunningRobot>(simulatedArm(kTwoHosts + more, misses, hardware));
     ASSERT_TRUE(robot_->ask("switch bad 1").ok) << robot_->output();
   }
   RunningRobot& robot() { return *robot_; }
@@ -107,6 +107,31 @@ TEST_F(Falls, APluginWhoseProcessDiedSaysWhatBecameOfItsJoints) {
   ASSERT_TRUE(eventually([&] { return robot().stateOf("bad") == PluginState::kStopped && isSafe(); }));
   expectToldEverywhere("stopped", "The process of the host a ended by itself with code 3");
   expectItComesBack();
+}
+
+TEST_F(Falls, AnEmergencyStopIsSaidEverywhereAndNothingMovesByItselfBehindIt) {
+  start(1000, "", "emergency_stops: {cell door: {}}");
+  EXPECT_EQ(robot().ctl("estop").second, "cell door                 released\n");
+  const auto [code, pressed] = robot().ctl("estop on cell door");
+  EXPECT_EQ(code, 0) << pressed;
+  expectIn(pressed, "cell door                 pressed");
+  ASSERT_TRUE(eventually([&] { return robot().stateOf("bad") == PluginState::kStopped; })) << robot().output();
+  expectToldEverywhere("stopped", "The emergency stop 'cell door' is pressed");
+  const std::string robot_is_safe = "An emergency stop is pressed, and all joints are safe: robotui-rt-ctl estop";
+  expectIn(robot().ctl("list").second, robot_is_safe);
+  expectIn(robot().ctl("joints").second, robot_is_safe);
+  EXPECT_TRUE(isSafe());
+  const auto [refused, why] = robot().ctl("switch bad 1");
+  EXPECT_EQ(refused, 1) << why;
+  expectIn(why, "The emergency stop 'cell door' is pressed: nothing that leads joints can be started until");
+  EXPECT_EQ(robot().ctl("estop off").second, "cell door                 released\n");
+  ASSERT_TRUE(eventually([&] { return has(robot().output(), "Nothing moves by itself: start the plugins again"); }));
+  EXPECT_EQ(robot().stateOf("bad"), PluginState::kStopped);
+  EXPECT_TRUE(isSafe());
+  expectItComesBack();
+  const auto [unknown, said] = robot().ctl("estop on window");
+  EXPECT_EQ(unknown, 1);
+  expectIn(said, "There is no emergency stop 'window'. There are: cell door.");
 }
 
 TEST_F(Falls, AStopNeedsNoAnswerOfTheHostForTheJointToHold) {

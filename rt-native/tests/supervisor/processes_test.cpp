@@ -1,8 +1,10 @@
 // Whole processes: what a bad plugin, or a death, does to the others.
 #include <gtest/gtest.h>
+#include <sched.h>
 #include <signal.h>
 
 #include <cmath>
+#include <filesystem>
 
 #include "robotui/rt/link/board.h"
 #include "robotui/rt/link/relaxed.h"
@@ -227,6 +229,30 @@ TEST(Rights, OfDeadlinesAreRefusedWithTheReasonAndTheRemedyWhereTheyLack) {
   expectIn(robot.output(), "SCHED_DEADLINE with 200 us in each 1000 us is refused: Operation not permitted.");
   expectIn(robot.output(), "AmbientCapabilities=CAP_SYS_NICE");
   expectIn(robot.output(), "--allow-non-rt");
+}
+
+bool runsByDeadline(pid_t process) {
+  for (const auto& task : std::filesystem::directory_iterator("/proc/" + std::to_string(process) + "/task")) {
+    if (::sched_getscheduler(std::stoi(task.path().filename().string())) == SCHED_DEADLINE) return true;
+  }
+  return false;
+}
+
+TEST(Rights, ToDeadlinesAreUsedByThreadsOfPluginsWhereTheKernelGivesThem) {
+  WholeConfig config = simulatedArm(
+      "xbotcore_threads: {main: {sched: deadline, period: 0.002, runtime: 0.2}}\n"
+      "xbotcore_plugins: {Sine: {thread: main, type: Sine, params: {amplitude: 0.05}}}\n",
+      kPatient);
+  const std::string type = "type: dummy";
+  config.yaml.replace(config.yaml.find(type), type.size(), type + ", sched: deadline");
+  RunningRobot robot(config);
+  robot.client();
+  if (robot.board()->real_time == 0) GTEST_SKIP() << "the kernel gives none here";
+  ASSERT_TRUE(commands(robot, "Sine", 0)) << robot.output();
+  const auto board = robot.board();
+  EXPECT_EQ(board->host[0].respawns, 0U) << robot.output();
+  EXPECT_TRUE(runsByDeadline(board->host[0].pid));
+  EXPECT_TRUE(runsByDeadline(board->hal_pid));
 }
 
 TEST(Rights, AreDoneWithoutWhereThatIsAllowedAndTheStateSaysSo) {

@@ -40,11 +40,11 @@ void untilItIsRead(const std::function<link::Read()>& read) {
 
 }  // namespace
 
-WholeConfig simulatedArm(const std::string& blocks, int misses_before_safe) {
+WholeConfig simulatedArm(const std::string& blocks, int misses_before_safe, const std::string& hardware) {
   const std::string arm = std::string(RT_CONFIGS) + "/arm/";
   return {"XBotInterface: {urdf_path: " + arm + "arm.urdf, srdf_path: " + arm + "arm.srdf, joint_map_path: " + arm +
           "joint_map.yaml}\nHALInterface: {type: dummy, misses_before_safe: " + std::to_string(misses_before_safe) +
-          "}\n" + blocks};
+          (hardware.empty() ? "" : ", " + hardware) + "}\n" + blocks};
 }
 
 bool eventually(const std::function<bool()>& condition, std::chrono::milliseconds patience) {

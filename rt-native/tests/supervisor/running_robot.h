@@ -25,7 +25,8 @@ struct WholeConfig {
 
 // The arm as a kinematic simulation. A plugin may be late as often as that, where it is not the misses that are looked
 // at.
-WholeConfig simulatedArm(const std::string& blocks, int misses_before_safe = 2);
+// `hardware` are more keys of its HAL.
+WholeConfig simulatedArm(const std::string& blocks, int misses_before_safe = 2, const std::string& hardware = {});
 
 enum class Rights { kAsTheyAre, kNone };
 

@@ -133,6 +133,16 @@ Status CanOpen::sense(Measurements& into) noexcept {
   return status;
 }
 
+void CanOpen::senseStops(std::span<StopInput> into) noexcept {
+  if (!watch_->works()) return;
+  for (std::size_t i = 0; i < into.size() && i < settings_.stops.size(); ++i) {
+    const StopSettings& stop = settings_.stops[i];
+    const auto inputs = drives_[stop.drive]->inputs();
+    if (!inputs) continue;
+    into[i] = ((*inputs >> stop.input & 1U) != 0) == stop.closed ? StopInput::kReleased : StopInput::kPressed;
+  }
+}
+
 Status CanOpen::move(std::span<const Reference> references) noexcept {
   was_moved_ = true;
   exchange(references, link::now());

@@ -24,6 +24,7 @@ class CanOpen : public Hal {
   void open(const config::RobotDescription& robot, const config::HalConfig& config, std::int64_t period_ns) override;
   Status sense(Measurements& into) noexcept override;
   Status move(std::span<const Reference> references) noexcept override;
+  void senseStops(std::span<StopInput> into) noexcept override;
   void close() noexcept override;
   std::vector<std::string> news() override;
   std::vector<std::string> recover() override;

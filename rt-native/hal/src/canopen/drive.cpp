@@ -78,7 +78,9 @@ void Drive::heardState(std::uint8_t pdo, const Frame& frame) noexcept {
   read(layout_.position, position_counts_);
   read(layout_.velocity, velocity_counts_);
   read(layout_.torque, torque_counts_);
+  read(layout_.inputs, inputs_);
   if (layout_.position.pdo == pdo) has_state_ = true;
+  if (layout_.inputs.pdo == pdo) has_inputs_ = true;
 }
 
 void Drive::heardHeartbeat(std::uint8_t state, std::int64_t now_ns) noexcept {
@@ -122,6 +124,9 @@ Alarm Drive::watch(std::int64_t now_ns, bool was_asked) noexcept {
     missed_ = std::min(missed_ + 1, settings_.missed_pdos);
     lost_.store(lost_.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
   }
+  if (was_asked || has_inputs_) inputs_missed_ = has_inputs_ ? 0 : std::min(inputs_missed_ + 1, settings_.missed_pdos);
+  knows_inputs_ = knows_inputs_ || has_inputs_;
+  has_inputs_ = false;
   was_heard_ = was_heard_ || has_state_;
   has_state_ = false;
   const bool no_heartbeat = now_ns - heartbeat_ns_ > settings_.heartbeat_timeout_ns;
@@ -164,6 +169,11 @@ void Drive::measure(link::JointState& into) noexcept {
   into.effort = torque_counts_ * turn() * drive_.rated_effort / 1000;
   velocity_ = velocity;
   into.fault = error_ | (is_heard_ && phase_ != Phase::kFallen ? 0 : kFaultSign);
+}
+
+std::optional<std::uint32_t> Drive::inputs() const noexcept {
+  const bool is_known = knows_inputs_ && is_heard_ && inputs_missed_ < settings_.missed_pdos;
+  return is_known ? std::optional(inputs_) : std::nullopt;
 }
 
 std::uint32_t Drive::counts(double position) const noexcept {

@@ -40,6 +40,8 @@ class Drive {
   // It must be brought back by hand.
   bool hasFallen() const noexcept { return phase_ == Phase::kFallen; }
   void measure(link::JointState& into) noexcept;
+  // Its digital inputs (0x60FD); nothing where they were not heard lately.
+  std::optional<std::uint32_t> inputs() const noexcept;
 
   // ---- what goes to it
   // `reference` is null where there is none. A drive begins to follow references when the robot as a whole can be led,
@@ -96,7 +98,11 @@ class Drive {
   std::int32_t position_counts_ = 0;
   std::int32_t velocity_counts_ = 0;
   std::int16_t torque_counts_ = 0;
-  double hold_ = 0;  // rad or m
+  std::uint32_t inputs_ = 0;
+  std::uint32_t inputs_missed_ = 0;  // cycles in turn without them
+  bool has_inputs_ = false;          // in this cycle
+  bool knows_inputs_ = false;        // ever
+  double hold_ = 0;                  // rad or m
   double velocity_ = 0;
   double measured_ = 0;     // rad or m of the cycle before
   bool has_state_ = false;  // in this cycle

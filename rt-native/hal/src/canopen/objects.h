@@ -35,6 +35,7 @@ inline constexpr Object kLeastPosition{0x607d, 1};
 inline constexpr Object kMostPosition{0x607d, 2};
 inline constexpr Object kInterpolationPeriod{0x60c2, 1};
 inline constexpr Object kInterpolationExponent{0x60c2, 2};
+inline constexpr Object kDigitalInputs{0x60fd};
 inline constexpr Object kTargetVelocity{0x60ff};
 
 inline constexpr std::uint32_t kDriveProfile = 402;  // low half of kDeviceType

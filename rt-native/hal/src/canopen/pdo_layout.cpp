@@ -45,11 +45,10 @@ constexpr Wanted kReceived[] = {{kControlWord, &PdoLayout::control_word, 2},
                                 {kTargetPosition, &PdoLayout::target_position, 4},
                                 {kTargetVelocity, &PdoLayout::target_velocity, 4},
                                 {kTargetTorque, &PdoLayout::target_torque, 2}};
-constexpr Wanted kTransmitted[] = {{kStatusWord, &PdoLayout::status_word, 2},
-                                   {kModeShown, &PdoLayout::mode_shown, 1},
-                                   {kPositionActual, &PdoLayout::position, 4},
-                                   {kVelocityActual, &PdoLayout::velocity, 4},
-                                   {kTorqueActual, &PdoLayout::torque, 2}};
+constexpr Wanted kTransmitted[] = {
+    {kStatusWord, &PdoLayout::status_word, 2},  {kModeShown, &PdoLayout::mode_shown, 1},
+    {kPositionActual, &PdoLayout::position, 4}, {kVelocityActual, &PdoLayout::velocity, 4},
+    {kTorqueActual, &PdoLayout::torque, 2},     {kDigitalInputs, &PdoLayout::inputs, 4}};
 
 // Objects that we do not know are passed over; ours must be whole bytes of the size that CiA 402 says.
 void place(PdoLayout& layout, std::span<const Wanted> known, std::uint32_t entry, std::size_t pdo, unsigned bits) {
@@ -105,6 +104,7 @@ void check(const PdoLayout& layout, const Ways& ways) {
   need(layout.control_word, kControlWord, "RPDOs");
   need(layout.status_word, kStatusWord, "TPDOs that answer to SYNC");
   need(layout.position, kPositionActual, "TPDOs that answer to SYNC");
+  if (ways.inputs) need(layout.inputs, kDigitalInputs, "TPDOs that answer to SYNC");
   if (ways.position) need(layout.target_position, kTargetPosition, "RPDOs");
   if (ways.velocity) need(layout.target_velocity, kTargetVelocity, "RPDOs");
   if (ways.effort) need(layout.target_torque, kTargetTorque, "RPDOs");
@@ -158,10 +158,12 @@ void writeLayout(const SdoClient& sdo, std::uint8_t node, const Ways& ways) {
   if (ways.effort) second.push_back({kTargetTorque, 2});
   const std::vector<Entry> state{{kStatusWord, 2}, {kModeShown, 1}, {kPositionActual, 4}};
   const std::vector<Entry> motion{{kVelocityActual, 4}, {kTorqueActual, 2}};
+  std::vector<Entry> inputs;
+  if (ways.inputs) inputs.push_back({kDigitalInputs, 4});
   const std::vector<Entry> none;
   for (std::size_t pdo = 0; pdo < kPdos; ++pdo) {
     writePdo(sdo, kReceive, node, pdo, pdo == 0 ? first : pdo == 1 ? second : none);
-    writePdo(sdo, kTransmit, node, pdo, pdo == 0 ? state : pdo == 1 ? motion : none);
+    writePdo(sdo, kTransmit, node, pdo, pdo == 0 ? state : pdo == 1 ? motion : pdo == 2 ? inputs : none);
   }
 }
 

@@ -32,17 +32,18 @@ struct PdoLayout {
   std::array<Pdo, kPdos> receive;   // what the drive receives
   std::array<Pdo, kPdos> transmit;  // what it sends
   Field control_word, mode, target_position, target_velocity, target_torque;
-  Field status_word, mode_shown, position, velocity, torque;
+  Field status_word, mode_shown, position, velocity, torque, inputs;
   friend bool operator==(const PdoLayout&, const PdoLayout&) = default;
 
   std::size_t frames() const noexcept;  // in a cycle
 };
 
-// What a drive is to do.
+// What a drive is to do, and to say.
 struct Ways {
   bool position = true;
   bool velocity = false;
   bool effort = false;
+  bool inputs = false;  // an emergency stop is wired to its digital inputs
   int count() const noexcept { return int{position} + int{velocity} + int{effort}; }
 };
 

@@ -126,7 +126,22 @@ void readDrives(const config::Reader& params, const config::RobotDescription& ro
   }
 }
 
+// Its joint is one of the robot's: the configuration was checked.
+void wire(const config::EmergencyStop& stop, Settings& settings) {
+  for (std::size_t i = 0; i < settings.drives.size(); ++i) {
+    if (settings.drives[i].joint != stop.joint) continue;
+    settings.drives[i].has_stop = true;
+    settings.stops.push_back({i, stop.input, stop.closed});
+  }
+}
+
 }  // namespace
+
+Ways Settings::waysOf(const DriveSettings& drive) const noexcept {
+  Ways all = ways;
+  all.inputs = drive.has_stop;
+  return all;
+}
 
 Settings readSettings(const config::RobotDescription& robot, const config::HalConfig& config, std::int64_t period_ns) {
   const config::Reader params(config.params, config.place.file, "HALInterface.params", config.place);
@@ -150,6 +165,7 @@ Settings readSettings(const config::RobotDescription& robot, const config::HalCo
   settings.enables = params.flagOr("enable", true);
   settings.ways = readWays(params);
   readDrives(params, robot, settings);
+  for (const config::EmergencyStop& stop : config.emergency_stops) wire(stop, settings);
   return settings;
 }
 

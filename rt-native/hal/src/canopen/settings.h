@@ -29,6 +29,14 @@ struct DriveSettings {
   double lower = 0;           // rad or m; infinite where there is none
   double upper = 0;
   std::vector<GivenObject> objects;
+  bool has_stop = false;  // an emergency stop is wired to its digital inputs
+};
+
+// An emergency stop at the digital inputs of a drive.
+struct StopSettings {
+  std::size_t drive = 0;
+  int input = 0;
+  bool closed = true;  // what the input says while it is released
 };
 
 struct Settings {
@@ -45,6 +53,8 @@ struct Settings {
   bool enables = true;  // else drives are looked at alone
   Ways ways;
   std::vector<DriveSettings> drives;  // in the order of the joints
+  std::vector<StopSettings> stops;    // in the order of the configuration
+  Ways waysOf(const DriveSettings& drive) const noexcept;
 };
 
 // Throws config::ConfigError.

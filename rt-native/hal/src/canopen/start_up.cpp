@@ -78,8 +78,8 @@ void configure(const SdoClient& sdo, const Settings& settings, const DriveSettin
   limit(sdo, drive);
   for (const GivenObject& given : drive.objects) sdo.write(given.object, given.value, given.size);
   sdo.write(kMode, static_cast<std::uint8_t>(firstMode(settings.ways)), 1);
-  if (settings.writes_mapping) writeLayout(sdo, drive.node, settings.ways);
-  result.layout = readLayout(sdo, settings.ways);
+  if (settings.writes_mapping) writeLayout(sdo, drive.node, settings.waysOf(drive));
+  result.layout = readLayout(sdo, settings.waysOf(drive));
 }
 
 }  // namespace

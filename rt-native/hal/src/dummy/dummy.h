@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "../simulated_stops.h"
 #include "joint_motion.h"
 #include "robotui/rt/hal/hal.h"
 
@@ -14,11 +15,14 @@ class Dummy : public Hal {
   void open(const config::RobotDescription& robot, const config::HalConfig& config, std::int64_t period_ns) override;
   Status sense(Measurements& into) noexcept override;
   Status move(std::span<const Reference> references) noexcept override;
+  void senseStops(std::span<StopInput> into) noexcept override { stops_.sense(into); }
   void close() noexcept override {}
+  bool press(std::size_t stop, bool pressed) override { return stops_.press(stop, pressed); }
 
  private:
   std::vector<JointMotion> joints_;
   double period_s_ = 0;
+  SimulatedStops stops_;
 };
 
 // The joints at the beginning, in a named posture or at zero. Throws config::ConfigError where the posture is not

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "../simulated_stops.h"
 #include "robotui/rt/hal/hal.h"
 #include "sender.h"
 #include "watch.h"
@@ -19,7 +20,9 @@ class GazeboHal final : public Hal {
   void open(const config::RobotDescription& robot, const config::HalConfig& config, std::int64_t period_ns) override;
   Status sense(Measurements& into) noexcept override;
   Status move(std::span<const Reference> references) noexcept override;
+  void senseStops(std::span<StopInput> into) noexcept override { stops_.sense(into); }
   void close() noexcept override;
+  bool press(std::size_t stop, bool pressed) override { return stops_.press(stop, pressed); }
   std::vector<std::string> news() override;
 
   std::uint64_t dropped() const noexcept { return joints_ ? joints_->dropped() : 0; }
@@ -32,6 +35,7 @@ class GazeboHal final : public Hal {
   void end();
 
   Settings settings_;
+  SimulatedStops stops_;
   std::shared_ptr<Notices> notices_;
   std::shared_ptr<JointInbox> joints_;
   std::shared_ptr<WorldInbox> world_;

@@ -1,6 +1,7 @@
 // A robot simulated by MuJoCo, in step with the cycle: one period of simulated time for each move.
 #pragma once
 
+#include "../simulated_stops.h"
 #include "mujoco_world.h"
 #include "robotui/rt/hal/hal.h"
 
@@ -11,7 +12,9 @@ class MujocoHal final : public Hal {
   void open(const config::RobotDescription& robot, const config::HalConfig& config, std::int64_t period_ns) override;
   Status sense(Measurements& into) noexcept override;
   Status move(std::span<const Reference> references) noexcept override;
+  void senseStops(std::span<StopInput> into) noexcept override { stops_.sense(into); }
   void close() noexcept override;
+  bool press(std::size_t stop, bool pressed) override { return stops_.press(stop, pressed); }
   std::vector<std::string> news() override;
 
  private:
@@ -20,6 +23,7 @@ class MujocoHal final : public Hal {
 
   MujocoSettings settings_;
   MujocoWorld world_;
+  SimulatedStops stops_;
 };
 
 }  // namespace robotui::rt::hal

@@ -73,6 +73,7 @@ void JointServer::answer(std::uint64_t cycle, const sockaddr_in& to) {
   header.session = session_;
   header.sequence = ++sequence_;
   header.cycle = cycle;
+  header.circuits = circuits_;
   socket_.sendTo(writeState(outgoing_, header, measured), to);
 }
 

@@ -30,6 +30,9 @@ class JointServer {
   // Answers for a millisecond at least, moves the joints by the time that went.
   void step();
 
+  // The inputs of emergency stops, a bit each: 1 where the circuit is closed, as all are at first.
+  void wire(std::uint16_t circuits) noexcept { circuits_ = circuits; }
+
   bool holds() const noexcept { return holding_; }
   std::uint64_t refused() const noexcept { return unreadable_ + gate_.refused(); }
 
@@ -54,6 +57,7 @@ class JointServer {
   std::uint64_t unreadable_ = 0;
   std::int64_t moved_ns_;
   bool holding_ = true;
+  std::uint16_t circuits_ = 0xffff;
 };
 
 }  // namespace robotui::rt::hal::udp

@@ -34,7 +34,7 @@ struct Header {
   std::uint16_t joints;    // how many of each follow
   std::uint16_t imus;
   std::uint16_t force_torques;
-  std::uint16_t reserved2;
+  std::uint16_t circuits;  // of a state: the inputs of emergency stops, 1 where a circuit is closed; else 0
 };
 
 struct JointReference {

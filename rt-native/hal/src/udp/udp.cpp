@@ -31,6 +31,16 @@ void checkCounts(const Header& state, const config::RobotDescription& robot, con
   differ(state.force_torques, robot.force_torques.size(), "force-torque sensors");
 }
 
+constexpr int kCircuits = 16;
+
+void checkInputs(const std::vector<config::EmergencyStop>& stops) {
+  for (const config::EmergencyStop& stop : stops) {
+    if (stop.input >= kCircuits)
+      throw config::ConfigError(stop.place, "the emergency stop '" + stop.name + "' has the input " +
+                                                std::to_string(stop.input) + ", and a packet has those from 0 to 15");
+  }
+}
+
 }  // namespace
 
 void Udp::open(const config::RobotDescription& robot, const config::HalConfig& config, std::int64_t period_ns) {
@@ -42,6 +52,8 @@ void Udp::open(const config::RobotDescription& robot, const config::HalConfig& c
       params.wholeOr("timeout_us", 5 * period_ns / link::kMicrosecond, 100, 10'000'000) * link::kMicrosecond;
   socket_ = Datagram::connectedTo(addressOf(address, port));
   gate_ = SequenceGate(timeout);
+  stops_ = config.emergency_stops;
+  checkInputs(stops_);
   session_ = newSession();
   greet(robot, address + ":" + std::to_string(port));
 }
@@ -104,6 +116,14 @@ Status Udp::sense(Measurements& into) noexcept {
   if (!gate_.isSilent(link::now())) return Status::kOk;
   socket_->send(writeHello(outgoing_, header()));
   return Status::kTimeout;
+}
+
+// Of the last state, as long as that counts.
+void Udp::senseStops(std::span<StopInput> into) noexcept {
+  if (gate_.isSilent(link::now())) return;
+  for (std::size_t i = 0; i < into.size() && i < stops_.size(); ++i)
+    into[i] = ((state_.circuits >> stops_[i].input & 1) != 0) == stops_[i].closed ? StopInput::kReleased
+                                                                                  : StopInput::kPressed;
 }
 
 Status Udp::move(std::span<const Reference> references) noexcept {

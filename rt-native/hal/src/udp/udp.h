@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "datagram.h"
 #include "packets.h"
@@ -17,6 +18,7 @@ class Udp : public Hal {
   void open(const config::RobotDescription& robot, const config::HalConfig& config, std::int64_t period_ns) override;
   Status sense(Measurements& into) noexcept override;
   Status move(std::span<const Reference> references) noexcept override;
+  void senseStops(std::span<StopInput> into) noexcept override;
   void close() noexcept override { socket_.reset(); }
 
   std::uint64_t refused() const noexcept { return unreadable_ + gate_.refused(); }
@@ -28,6 +30,7 @@ class Udp : public Hal {
   Header header() noexcept;
 
   std::optional<Datagram> socket_;
+  std::vector<config::EmergencyStop> stops_;
   SequenceGate gate_{0};
   Buffer outgoing_{};
   Buffer incoming_{};

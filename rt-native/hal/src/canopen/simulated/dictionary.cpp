@@ -77,6 +77,7 @@ void Dictionary::addDrive() {
   add(kTargetTorque, 2, Access::kWrite);
   add(kTorqueActual, 2, Access::kRead);
   add(kTargetPosition, 4, Access::kWrite);
+  add(kDigitalInputs, 4, Access::kRead, 0xffff'0000);
   add(kLeastPosition, 4, Access::kWrite, 0x8000'0000);
   add(kMostPosition, 4, Access::kWrite, 0x7fff'ffff);
   add(kInterpolationPeriod, 1, Access::kWrite, 1);

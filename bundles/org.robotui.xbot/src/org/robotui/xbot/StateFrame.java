@@ -25,7 +25,9 @@ public record StateFrame(
     /** Nothing came in time: what is told is the last there was. */
     TIMEOUT,
     /** It cannot go on. */
-    FAULT
+    FAULT,
+    /** An emergency stop is pressed, or cannot be read: all joints are safe. */
+    EMERGENCY_STOP
   }
 
   /** Where the reference of a joint comes from. */

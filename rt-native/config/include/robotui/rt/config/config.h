@@ -90,6 +90,15 @@ std::vector<std::pair<std::string, std::string>> disabledCollisions(const RobotD
 
 enum class SafeLaw : std::uint8_t { kDamping, kGravity };  // what joints in effort mode do when their plugin fails
 
+// An emergency stop, and the input that it is wired to.
+struct EmergencyStop {
+  std::string name;
+  std::string joint;   // whose drive has the input; empty where the HAL has inputs of its own
+  int input = 0;       // a bit, from 0
+  bool closed = true;  // what the input says while the stop is released: a closed circuit, or an open one
+  Place place;
+};
+
 // NOLINTNEXTLINE(bugprone-exception-escape): a YAML::Node can only be copied, which throws of one that is not there
 struct HalConfig {
   std::string type = "dummy";  // dummy, mujoco, gazebo, udp, canopen, ethercat or library
@@ -102,6 +111,7 @@ struct HalConfig {
   // By joint, rad or m: what it may be away from its position reference for following_time (s) before it is made safe.
   std::vector<double> following_errors;  // infinity where it is not supervised
   double following_time = 0.5;
+  std::vector<EmergencyStop> emergency_stops;
   std::chrono::microseconds period{1000};
   std::optional<int> core;
   int priority = 90;        // link::kByDeadline is SCHED_DEADLINE

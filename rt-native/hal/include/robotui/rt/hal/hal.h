@@ -15,8 +15,9 @@ namespace robotui::rt::hal {
 
 enum class Status : std::uint32_t {
   kOk = 0,
-  kTimeout = 1,  // nothing came in time: what was sensed is the last there was
-  kFault = 2     // the hardware says that it cannot go on
+  kTimeout = 1,       // nothing came in time: what was sensed is the last there was
+  kFault = 2,         // the hardware says that it cannot go on
+  kEmergencyStop = 3  // of the control, not of a Hal: an emergency stop is pressed, or cannot be read
 };
 
 // What was measured. Sizes do not change after open().
@@ -45,6 +46,13 @@ enum class DrivePhase : std::uint8_t {
   kSilent = 4  // nothing is heard of it
 };
 
+// What an input says to which an emergency stop is wired.
+enum class StopInput : std::uint8_t {
+  kReleased = 0,
+  kPressed = 1,
+  kUnread = 2  // nothing is known of it, which counts as pressed
+};
+
 struct DriveReport {
   std::string joint;
   DrivePhase phase = DrivePhase::kDisabled;
@@ -66,7 +74,16 @@ class Hal {
 
   virtual Status move(std::span<const Reference> references) noexcept = 0;
 
+  // What the emergency stops say, in the order of `HalConfig::emergency_stops`, of which there is at least one. Called
+  // behind sense(), on the same terms. What is left as it was is kUnread: a HAL that does not read them keeps all
+  // joints safe.
+  virtual void senseStops(std::span<StopInput> /*into*/) noexcept {}
+
   virtual void close() noexcept = 0;
+
+  // A user presses or releases an emergency stop that is simulated, by its index. False where they are real. From the
+  // ordinary thread, between open() and close().
+  virtual bool press(std::size_t /*stop*/, bool /*pressed*/) { return false; }
 
   // What a user should know of the hardware since the last call: sentences. Called some times a second between open()
   // and close(), on the ordinary thread, so it may block and allocate.
@@ -88,7 +105,7 @@ class Hal {
 
 // What the library of a HAL of one's own exports, by ROBOTUI_RT_HAL(Class): its `lib_file` stands in the configuration.
 // A library of another number, or that was built another way, is refused.
-inline constexpr std::uint32_t kHalAbi = 6;
+inline constexpr std::uint32_t kHalAbi = 7;
 
 // Of this source file: internal linkage, so that no other file's list takes its place.
 constexpr link::AbiFact kHalFacts[] = {

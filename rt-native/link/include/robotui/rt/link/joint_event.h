@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "robotui/rt/link/layout.h"
+#include "robotui/rt/link/stop_bits.h"
 
 namespace robotui::rt::link {
 
@@ -19,6 +20,7 @@ enum class FallCause : std::uint8_t {
   kRejected = 2,   // what it commanded was refused again and again
   kHardware = 3,   // the hardware was silent
   kFollowing = 4,  // a joint was too far from its reference
+  kEmergency = 5,  // an emergency stop is pressed, or cannot be read
 };
 
 // Why a command was refused.
@@ -39,10 +41,11 @@ struct JointEvent {
   std::uint32_t rejected = 0;        // commands of that joint so far
   std::uint64_t cycle = 0;           // of the HAL
   double error = 0;                  // rad or m, of kFollowing
+  StopBits stops{};                  // of kEmergency
   std::bitset<kMaxJoints> joints{};  // all that fell
 };
 
-// A packet of the socket: "joints CAUSE OBJECTION PLUGIN JOINT GRANT REJECTED CYCLE ERROR JOINTS".
+// A packet of the socket: "joints CAUSE OBJECTION PLUGIN JOINT GRANT REJECTED CYCLE ERROR PRESSED UNREAD JOINTS".
 std::string textOf(const JointEvent& event);
 
 // Nothing where the words behind the verb are not those of an event.

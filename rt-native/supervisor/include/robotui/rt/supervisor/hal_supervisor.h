@@ -5,6 +5,7 @@
 
 #include "robotui/rt/config/config.h"
 #include "robotui/rt/supervisor/client_replies.h"
+#include "robotui/rt/supervisor/emergency_stops.h"
 #include "robotui/rt/supervisor/hal_process.h"
 #include "robotui/rt/supervisor/host_supervisor.h"
 #include "robotui/rt/supervisor/joint_events.h"
@@ -16,9 +17,9 @@ namespace robotui::rt::supervisor {
 class HalSupervisor {
  public:
   HalSupervisor(const Options& options, const config::RtConfig& config, HalProcess& hal, BoardPublisher& board,
-                HostSupervisor& hosts, JointEvents& joints, ClientReplies& replies, LogFile& log)
-      : options_(options), config_(config), hal_(hal), board_(board), hosts_(hosts), joints_(joints), replies_(replies),
-        log_(log) {}
+                HostSupervisor& hosts, JointEvents& joints, EmergencyStops& stops, ClientReplies& replies, LogFile& log)
+      : options_(options), config_(config), hal_(hal), board_(board), hosts_(hosts), joints_(joints), stops_(stops),
+        replies_(replies), log_(log) {}
 
   // Throws std::runtime_error.
   void spawn();
@@ -40,6 +41,7 @@ class HalSupervisor {
   BoardPublisher& board_;
   HostSupervisor& hosts_;
   JointEvents& joints_;
+  EmergencyStops& stops_;
   ClientReplies& replies_;
   LogFile& log_;
 };

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "robotui/rt/link/joint_event.h"
+#include "robotui/rt/supervisor/emergency_stops.h"
 #include "robotui/rt/supervisor/host_supervisor.h"
 #include "robotui/rt/supervisor/log_file.h"
 #include "robotui/rt/supervisor/pending_requests.h"
@@ -18,8 +19,8 @@ namespace robotui::rt::supervisor {
 class JointEvents {
  public:
   JointEvents(const config::RtConfig& config, const config::Plan& plan, PluginRegistry& registry, HostSupervisor& hosts,
-              PendingRequests& pending, LogFile& log)
-      : config_(config), plan_(plan), registry_(registry), hosts_(hosts), pending_(pending), log_(log) {}
+              PendingRequests& pending, const EmergencyStops& stops, LogFile& log)
+      : config_(config), plan_(plan), registry_(registry), hosts_(hosts), pending_(pending), stops_(stops), log_(log) {}
 
   // `words` are those behind the verb.
   void handle(std::string_view words, std::int64_t now_ns);
@@ -45,6 +46,7 @@ class JointEvents {
   PluginRegistry& registry_;
   HostSupervisor& hosts_;
   PendingRequests& pending_;
+  const EmergencyStops& stops_;
   LogFile& log_;
   std::vector<Fall> falls_;
 };

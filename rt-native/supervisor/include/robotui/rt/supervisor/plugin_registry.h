@@ -22,6 +22,7 @@ class PluginRegistry {
   link::PluginState state(std::uint32_t plugin) const;
   std::uint32_t host(std::uint32_t plugin) const { return plan_.plugins[plugin].host; }
   bool isIo(std::uint32_t plugin) const;
+  bool hasJoints(std::uint32_t plugin) const { return !plugins_[plugin].joints.empty(); }
   std::uint32_t grantOf(std::uint32_t joint) const noexcept { return board_.grantOf(joint); }
   bool isActive(std::uint32_t plugin) const;          // starting, running or stopping
   std::optional<std::uint32_t> masterPlugin() const;  // that passes on references, the running one first

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "robotui/rt/supervisor/client_replies.h"
+#include "robotui/rt/supervisor/emergency_stops.h"
 #include "robotui/rt/supervisor/host_supervisor.h"
 #include "robotui/rt/supervisor/pending_requests.h"
 #include "robotui/rt/supervisor/plugin_registry.h"
@@ -14,8 +15,8 @@ namespace robotui::rt::supervisor {
 class PluginRequests {
  public:
   PluginRequests(PluginRegistry& registry, HostSupervisor& hosts, PendingRequests& pending, BoardPublisher& board,
-                 ClientReplies& replies)
-      : registry_(registry), hosts_(hosts), pending_(pending), board_(board), replies_(replies) {}
+                 const EmergencyStops& stops, ClientReplies& replies)
+      : registry_(registry), hosts_(hosts), pending_(pending), board_(board), stops_(stops), replies_(replies) {}
 
   // `words` are those behind the verb. What the host has yet to do is answered later.
   void switchPlugin(std::uint64_t client, std::string_view words);
@@ -26,6 +27,7 @@ class PluginRequests {
 
  private:
   void start(std::uint64_t client, std::uint32_t plugin);
+  std::string objection(std::uint32_t plugin) const;
   void stop(std::uint64_t client, std::uint32_t plugin);
   HostProcess& hostOf(std::uint32_t plugin) { return hosts_[registry_.host(plugin)]; }
 
@@ -33,6 +35,7 @@ class PluginRequests {
   HostSupervisor& hosts_;
   PendingRequests& pending_;
   BoardPublisher& board_;
+  const EmergencyStops& stops_;
   ClientReplies& replies_;
   std::uint32_t next_command_ = 1;
 };

@@ -6,6 +6,7 @@
 
 #include "robotui/rt/config/config.h"
 #include "robotui/rt/supervisor/client_replies.h"
+#include "robotui/rt/supervisor/emergency_stops.h"
 #include "robotui/rt/supervisor/hal_process.h"
 #include "robotui/rt/supervisor/host_supervisor.h"
 
@@ -14,8 +15,8 @@ namespace robotui::rt::supervisor {
 class RobotRequests {
  public:
   RobotRequests(const config::RobotDescription& robot, HalProcess& hal, const HostSupervisor& hosts,
-                BoardPublisher& board, ClientReplies& replies)
-      : robot_(robot), hal_(hal), hosts_(hosts), board_(board), replies_(replies) {}
+                BoardPublisher& board, const EmergencyStops& stops, ClientReplies& replies)
+      : robot_(robot), hal_(hal), hosts_(hosts), board_(board), stops_(stops), replies_(replies) {}
 
   void attach(std::uint64_t client);
 
@@ -31,6 +32,11 @@ class RobotRequests {
   // Where the drives stand: a line each, of phase, joint and detail.
   void drives(std::uint64_t client);
 
+  // How the emergency stops stand: a line each, of state and name.
+  void stops(std::uint64_t client);
+  // Press or release one that is simulated: "1|0 NAME", or all without a name.
+  void press(std::uint64_t client, std::string_view words);
+
  private:
   void askHal(std::uint64_t client, std::string_view what);
   std::string leader();
@@ -39,6 +45,7 @@ class RobotRequests {
   HalProcess& hal_;
   const HostSupervisor& hosts_;
   BoardPublisher& board_;
+  const EmergencyStops& stops_;
   ClientReplies& replies_;
 };
 

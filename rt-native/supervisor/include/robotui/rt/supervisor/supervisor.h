@@ -9,6 +9,7 @@
 #include "robotui/rt/supervisor/client_replies.h"
 #include "robotui/rt/supervisor/client_requests.h"
 #include "robotui/rt/supervisor/control_server.h"
+#include "robotui/rt/supervisor/emergency_stops.h"
 #include "robotui/rt/supervisor/hal_supervisor.h"
 #include "robotui/rt/supervisor/host_supervisor.h"
 #include "robotui/rt/supervisor/joint_events.h"
@@ -49,6 +50,7 @@ class Supervisor {
   RosProcess ros_process_;
   ClientReplies replies_;
   PendingRequests pending_;
+  EmergencyStops stops_;
 
   // What acts on it, each on a subject of its own.
   PluginEvents events_;

@@ -14,7 +14,8 @@ final class HostDamage {
   private static final long LONGEST = Duration.ofDays(1).toNanos();
   private static final long LONGEST_PERIOD = Duration.ofSeconds(1000).toNanos();
   private static final int LAST_STATE = PluginState.values().length - 1;
-  private static final int HIGHEST_PRIORITY = 99;
+  /** Stands for threads by deadline, which go before all priorities. */
+  private static final int HIGHEST_PRIORITY = 100;
   private static final int MOST_CORES = 8192;
   /** The sum is read before what it sums up, which goes on meanwhile. */
   private static final long MEANWHILE = 1000;

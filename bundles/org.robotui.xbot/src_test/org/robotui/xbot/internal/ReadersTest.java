@@ -80,6 +80,18 @@ class ReadersTest {
   }
 
   @Test
+  void aThreadByDeadlineIsNoDamage() throws IOException {
+    ByteBuffer bytes = ByteBuffer.wrap(NativeFiles.vector("host").copy(0, layout.size("HostSegment")).array())
+        .order(ByteOrder.LITTLE_ENDIAN);
+    int priority = layout.struct("HostSegment").fields().get("thread_statistics").offset()
+        + layout.offset("ThreadStatistics", "priority");
+    bytes.putInt(priority, 100);
+    assertEquals("", new HostReader(layout).read(new Memory(bytes)).damage());
+    bytes.putInt(priority, 101);
+    assertEquals("what it says of its threads is overwritten", new HostReader(layout).read(new Memory(bytes)).damage());
+  }
+
+  @Test
   void aHostMayWriteAnything() {
     Random random = new Random(4);
     byte[] bytes = new byte[layout.size("HostSegment")];

@@ -37,7 +37,7 @@ final class CycleMessages {
       uint64 cycle
       # how many cycles before this one were written over before they could be read, since somebody wants them
       uint64 lost
-      # 0 well, 1 nothing came in time, 2 fault
+      # 0 well, 1 nothing came in time, 2 fault, 3 an emergency stop is pressed
       uint8 hardware
       string[] name
       float64[] position

@@ -19,6 +19,7 @@ import org.robotui.data.joint.JointModel;
 import org.robotui.data.joint.JointState;
 import org.robotui.data.joint.RobotDescription;
 import org.robotui.data.sensor.Imu;
+import org.robotui.data.status.Diagnostics;
 import org.robotui.xbot.Board;
 import org.robotui.xbot.HostReading;
 import org.robotui.xbot.StateFrame;
@@ -35,6 +36,7 @@ final class Streams implements AutoCloseable {
   private final Stream<ControlPlugins> plugins;
   private final Stream<LoopTiming> timing;
   private final Stream<Drives> drives;
+  private final Stream<Diagnostics> diagnostics;
   private final List<Stream<Imu>> imus;
   private final List<Stream<Wrench>> forceTorques;
   private final List<Publication<?>> all = new ArrayList<>();
@@ -61,6 +63,7 @@ final class Streams implements AutoCloseable {
     this.plugins = new Stream<>(XbotPorts.PLUGINS);
     this.timing = new Stream<>(XbotPorts.TIMING);
     this.drives = new Stream<>(XbotPorts.DRIVES);
+    this.diagnostics = new Stream<>(XbotPorts.DIAGNOSTICS);
     this.imus = board.imus().stream().map(name -> new Stream<>(XbotPorts.imu(name))).toList();
     this.forceTorques = board.forceTorques().stream().map(name -> new Stream<>(XbotPorts.forceTorque(name))).toList();
   }
@@ -101,6 +104,16 @@ final class Streams implements AutoCloseable {
   /** Where the drives stand, a few times a second. */
   void publish(Drives now) {
     drives.publication.publish(now, Optional.of(stamp(System.nanoTime())));
+  }
+
+  /** Whether somebody looks at the emergency stops. */
+  boolean wantsStops() {
+    return diagnostics.wanted;
+  }
+
+  /** How the emergency stops stand, a few times a second. */
+  void publish(Diagnostics now) {
+    diagnostics.publication.publish(now, Optional.of(stamp(System.nanoTime())));
   }
 
   /** What users look at a few times a second. */

@@ -22,6 +22,7 @@ import org.robotui.data.joint.JointState;
 import org.robotui.data.joint.RobotDescription;
 import org.robotui.data.record.DynamicRecord;
 import org.robotui.data.sensor.Imu;
+import org.robotui.data.status.Diagnostics;
 import org.robotui.message.topic.TopicPorts;
 
 /** The ports of every real-time control; those of sensors are offered as it has them. */
@@ -45,6 +46,8 @@ final class XbotPorts {
           "every cycle of the control with all joints, for recordings that name it and for plots", Intake.CHOSEN);
   static final StreamPort<Drives> DRIVES =
       new StreamPort<>("drives", Drives.class, Arity.MANY, "where the drives of the joints stand");
+  static final StreamPort<Diagnostics> DIAGNOSTICS =
+      new StreamPort<>("diagnostics", Diagnostics.class, Arity.MANY, "how the emergency stops stand");
   static final CommandPort<JointCommand> COMMAND =
       new CommandPort<>("joint_command", JointCommand.class, Arity.MANY,
           "what the joints shall do, while the communication plugin runs");
@@ -56,8 +59,8 @@ final class XbotPorts {
           Arity.MANY, "stop_plugins stops all plugins: for the stop_call of a robot's safety");
 
   static final List<Port> ALL =
-      List.of(JOINTS, CONTROL, MODEL, PLUGINS, TIMING, DRIVES, CYCLES, COMMAND, VERBS, SERVICES, TopicPorts.ACTIONS,
-          TopicPorts.GRAPH);
+      List.of(JOINTS, CONTROL, MODEL, PLUGINS, TIMING, DRIVES, DIAGNOSTICS, CYCLES, COMMAND, VERBS, SERVICES,
+          TopicPorts.ACTIONS, TopicPorts.GRAPH);
 
   private XbotPorts() {}
 

@@ -44,6 +44,7 @@ final class XbotSession implements RobotSession {
   private long slowAt;
   private String damage = "";
   private Drives drives = new Drives(List.of());
+  private EmergencyStops stops = new EmergencyStops(List.of());
 
   XbotSession(RficContext context, XbotSettings settings, RtClient client) throws IOException {
     this.context = context;
@@ -104,6 +105,7 @@ final class XbotSession implements RobotSession {
       damage = Convert.damage(board, hosts);
       streams.publishSlow(board, client.loop(), hosts);
       readDrives();
+      readStops();
     }
     link.report(state(board, now));
   }
@@ -114,6 +116,15 @@ final class XbotSession implements RobotSession {
       Answer answer = client.request("drives", ASK);
       drives = answer.ok() ? DriveReader.read(answer.text()) : new Drives(List.of());
       streams.publish(drives);
+    }
+  }
+
+  /** Likewise. */
+  private void readStops() throws IOException {
+    if (streams.wantsStops() || hardware == StateFrame.Hardware.EMERGENCY_STOP) {
+      Answer answer = client.request("stops", ASK);
+      stops = EmergencyStops.read(answer.ok() ? answer.text() : "");
+      streams.publish(stops.diagnostics());
     }
   }
 
@@ -132,6 +143,8 @@ final class XbotSession implements RobotSession {
       case TIMEOUT -> new LinkState.Degraded(peer,
           DriveReader.off(drives).orElse("the hardware does not answer in time"));
       case FAULT -> new LinkState.Degraded(peer, "the hardware reports a fault");
+      case EMERGENCY_STOP -> new LinkState.Degraded(peer,
+          stops.reason().orElse("an emergency stop is pressed: all joints are safe"));
       case OK -> damage.isEmpty() ? new LinkState.Connected(peer) : new LinkState.Degraded(peer, damage);
     };
   }
