@@ -30,18 +30,11 @@ NEW_ROBOT = "new-robot-dark.png"
 INSTALL = "install-dark.png"
 PLAYED = "recording-dark.png"
 WELCOME = "welcome-dark.png"
-SETTINGS = "settings-dark.png"
-CONNECTIONS = "connections-dark.png"
 TWO_FACES = "simulator: [{{robot: keira, speaks: [ros, player]}}]\nruics:\n  Keira:\n    type: mobilebase\n    rfics:\n      base: {{type: {type}}}\n"
-TWO_ROBOTS = """simulator: [{robot: natalie, speaks: ros}, {robot: keira, speaks: player}]
-ruics:
-  Natalie: {type: mobilebase, rfics: {base: {type: ros}}, safety: {Natalie: {max_linear: 0.6}}}
-  Keira: {type: mobilebase, rfics: {base: {type: player}}}
-"""
 # Made together, as the robot drives meanwhile; the first ones are one view each.
 OF_VIEWS = {"scene-mobile-dark.png": "scene3d", "frames-dark.png": "tftree", "graph-dark.png": "graph"}
 DEMO = {*OF_VIEWS, "workbench-dark.png", "ros-inspect-dark.png", "workbench-light.png", "ros-plot-light.png"}
-KNOWN = {*CONFIGURED, *CONTROLLED, EXCHANGE, NEW_ROBOT, INSTALL, PLAYED, WELCOME, SETTINGS, CONNECTIONS, *DEMO}
+KNOWN = {*CONFIGURED, *CONTROLLED, EXCHANGE, NEW_ROBOT, INSTALL, PLAYED, WELCOME, *DEMO}
 DRIVE = """
 use("Natalie"); waitForLink(); waitFor(() => value("base.scan") && value("base.map"), 20); takeControl();
 startRecording("FILE", {robots: ["Natalie"]});
@@ -246,23 +239,6 @@ def welcome(processes, environment):
     window.close()
 
 
-def dialogs(processes, environment, wanted):
-    """On two robots of different frameworks: their settings, and all their connections."""
-    file = processes.folder / "robots.yaml"
-    file.write_text(TWO_ROBOTS, encoding="utf-8")
-    window = Window(processes.start([ROOT / "robotui", "run", "--theme", "dark", file], "dialogs", environment))
-    wait_for(window.is_live, seconds=120, what="the robots")
-    time.sleep(10)                              # the rates of their ports
-    for name, words, title in ((CONNECTIONS, "show connections", "^Connections"), (SETTINGS, "robots", "^Preferences")):
-        if name in wanted:
-            form = searched(window, words, title)
-            output("xdotool", "windowsize", "--sync", form, "1180", "760")
-            time.sleep(2)
-            save(window, name, seen=form)
-            output("xdotool", "windowactivate", "--sync", form, "key", "Escape", "sleep", "1")
-    window.close()
-
-
 def recording(processes, environment):
     """A recording of the simulated robot that plays, with its topics: it is made first, on a drive through the room."""
     (processes.folder / "drive.js").write_text(DRIVE.replace("FILE", str(processes.folder / "natalie.mcap")), encoding="utf-8")
@@ -299,8 +275,6 @@ def main():
                 install(processes, environment)
             if WELCOME in wanted:
                 welcome(processes, environment)
-            if wanted & {SETTINGS, CONNECTIONS}:
-                dialogs(processes, environment, wanted)
             if PLAYED in wanted:
                 recording(processes, environment)
             if wanted & DEMO:

@@ -1,15 +1,18 @@
 """How soon the window answers its user: views that a script opens, and the search, into which words are typed."""
+import contextlib
 import re
 import subprocess
 
 import robotui
 
+from building import CannotMeasure
 from display import wait_for
 
 VIEWS = ("plot", "log", "camera", "teleop", "tftree", "parameters", "graph")
 OPEN = "(function () { let asked = Date.now(); return [asked, openView('VIEW')]; })()"
 ROBOT, WORDS, TIMES = "Robot", "camera", 3
 PATIENCE = 120
+FEW_SECONDS = 20
 
 
 def of(workbench, display):
@@ -18,7 +21,8 @@ def of(workbench, display):
         views = [opened(workbench, scripts, view) for view in VIEWS]
     for _ in range(TIMES):
         search(display)
-    wait_for(lambda: workbench.said()["search_ms"]["answering"]["count"] >= TIMES, "an answer of the search", PATIENCE)
+    with contextlib.suppress(CannotMeasure):                                      # where no key came, the figure is left out
+        wait_for(lambda: workbench.said()["search_ms"]["answering"]["count"] >= TIMES, "an answer of the search", FEW_SECONDS)
     return {"views": views, "search": workbench.said()["search_ms"]}
 
 

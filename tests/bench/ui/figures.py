@@ -24,6 +24,7 @@ def figures(rounds, counts, teams, crowd):
     few, many = counts
     small, large = (rounds[f"team of {count}"] for count in teams)
     idle = [sum(n for name, n in r["frames"].items() if name != "Robot0") for r in rounds[many]]
+    searched = [r["search"]["answering"]["p99"] for r in rounds["topics"] if r["search"]["answering"]["count"]]
     topics = f"with {crowd[0]} topics of {crowd[1]} nodes"
     return [
         alone(f"display thread p99 with {many} robots, ms", [r["p99"] for r in rounds[many]], 16, "ms"),
@@ -35,7 +36,7 @@ def figures(rounds, counts, teams, crowd):
         times(f"processors used {topics}", [r["cpu"] for r in rounds["topics"]], [r["cpu"] for r in rounds["alone"]], "itself without them", 2),
         alone(f"opening a view {topics}, ms", [statistics.median(r["views"]) for r in rounds["topics"]], 200, "ms"),
         alone(f"opening the slowest of the views {topics}, ms", [max(r["views"]) for r in rounds["topics"]], 200, "ms"),
-        alone(f"answer of the search {topics}, p99, ms", [r["search"]["answering"]["p99"] for r in rounds["topics"]], 50, "ms"),
+        *([alone(f"answer of the search {topics}, p99, ms", searched, 50, "ms")] if searched else []),
         alone("start to first live picture, s", [r["start"] for r in rounds["demo"]], 2.5, "s"),
         alone("memory (PSS) on the demo, MB", [r["pss"] for r in rounds["demo"]], 400, "MB"),
         alone("plot of 1 M samples, pan and zoom p95, ms", [r[1] for r in rounds["plot"]], 33, "ms"),

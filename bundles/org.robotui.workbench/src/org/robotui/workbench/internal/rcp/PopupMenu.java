@@ -8,37 +8,39 @@ import org.eclipse.swt.widgets.Control;
 import org.eclipse.swt.widgets.Event;
 import org.eclipse.swt.widgets.Menu;
 import org.eclipse.ui.IWorkbenchWindow;
-import org.eclipse.ui.menus.IMenuService;
 import org.robotui.workbench.internal.keys.KeyWords;
 import org.robotui.workbench.internal.model.SearchEntry;
 
 /** A menu of the top bar: what all bundles contribute to it, fresh each time. */
 final class PopupMenu {
   private final IWorkbenchWindow window;
+  private final FilledMenus menus;
   private final String id;
 
   PopupMenu(IWorkbenchWindow window, String id) {
     this.window = window;
+    menus = new FilledMenus(window);
     this.id = id;
   }
 
   void show(Control below) {
-    MenuManager manager = filled();
+    MenuManager manager = menus.fill(id);
     Menu menu = manager.createContextMenu(below);
-    menu.addListener(SWT.Hide, e -> below.getDisplay().asyncExec(() -> release(manager)));
+    // After the event of the item that was chosen, which comes after the menu has gone.
+    menu.addListener(SWT.Hide, e -> below.getDisplay().asyncExec(() -> menus.release(manager)));
     menu.setLocation(below.toDisplay(0, below.getSize().y));
     menu.setVisible(true);
   }
 
   /** What could be chosen now, for the search. */
   List<SearchEntry> entries(String group) {
-    MenuManager manager = filled();
+    MenuManager manager = menus.fill(id);
     Menu menu = manager.createContextMenu(window.getShell());
     menu.notifyListeners(SWT.Show, new Event());
     List<SearchEntry> entries = Stream.of(menu.getItems()).filter(item -> item.isEnabled() && !item.getText().isEmpty())
         .map(item -> entry(group, item.getText())).toList();
     menu.notifyListeners(SWT.Hide, new Event());
-    release(manager);
+    menus.release(manager);
     return entries;
   }
 
@@ -55,23 +57,11 @@ final class PopupMenu {
 
   /** The menu is made anew: what is in it may have changed since. */
   private void choose(String text) {
-    MenuManager manager = filled();
+    MenuManager manager = menus.fill(id);
     Menu menu = manager.createContextMenu(window.getShell());
     menu.notifyListeners(SWT.Show, new Event());
     Stream.of(menu.getItems()).filter(item -> item.getText().equals(text) && item.isEnabled()).findFirst()
         .ifPresent(item -> item.notifyListeners(SWT.Selection, new Event()));
-    release(manager);
-  }
-
-  private MenuManager filled() {
-    MenuManager manager = new MenuManager(id, id);
-    window.getService(IMenuService.class).populateContributionManager(manager, "menu:" + id);
-    return manager;
-  }
-
-  /** After the event of the item that was chosen, which comes after the menu has gone. */
-  private void release(MenuManager manager) {
-    window.getService(IMenuService.class).releaseContributions(manager);
-    manager.dispose();
+    menus.release(manager);
   }
 }
