@@ -59,8 +59,8 @@ public interface Subscriber extends AutoCloseable {
   long listenerErrors();
 
   /**
-   * Ends it. The last subscriber of the node to the topic unregisters from the master, in the background, and closes all
-   * links. A running listener call may still end after it.
+   * Ends it. The last subscriber of the node to the topic unregisters from the master, in the background, and closes
+   * all links. A running listener call may still end after it.
    */
   @Override
   void close();

@@ -8,8 +8,9 @@ import java.net.SocketAddress;
 import java.util.Optional;
 
 /**
- * A door for datagrams before a peer on this machine: it keeps its address while peers come and go behind it, and can be
- * held or shut. To either side that is as if the machine of the other one had been switched off. Safe for all threads.
+ * A door for datagrams before a peer on this machine: it keeps its address while peers come and go behind it, and can
+ * be held or shut. To either side that is as if the machine of the other one had been switched off. Safe for all
+ * threads.
  */
 public final class DatagramGate implements AutoCloseable {
   private static final int LARGEST = 65_507;

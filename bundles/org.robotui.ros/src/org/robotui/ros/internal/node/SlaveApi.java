@@ -84,7 +84,8 @@ final class SlaveApi {
 
   private XmlRpcValue subscriptions() {
     List<XmlRpcValue> all = new ArrayList<>();
-    parts.subscriptions().forEach(s -> all.add(XmlRpcValue.ofTexts(List.of(s.topic().text(), s.codec().info().type()))));
+    parts.subscriptions()
+        .forEach(s -> all.add(XmlRpcValue.ofTexts(List.of(s.topic().text(), s.codec().info().type()))));
     return new Array(all);
   }
 }

@@ -31,8 +31,8 @@ import org.robotui.roblets.wire.RobletStatus;
 import org.robotui.testkit.rfic.DatagramGate;
 
 /**
- * Each party of the boat goes without a word, as a process that is killed does, and comes back: every roblet, the brain,
- * and whoever watches. No other party is started again, or heard late or twice, because of it.
+ * Each party of the boat goes without a word, as a process that is killed does, and comes back: every roblet, the
+ * brain, and whoever watches. No other party is started again, or heard late or twice, because of it.
  */
 @Timeout(240)
 class BoatPartiesTest {
@@ -191,7 +191,10 @@ class BoatPartiesTest {
     assertNobodyWasDisturbed(1);
   }
 
-  /** What the system drops where the machine gives the brain no time for seconds is nobody's fault, so it is not counted. */
+  /**
+   * What the system drops where the machine gives the brain no time for seconds is nobody's fault, so it is not
+   * counted.
+   */
   private void assertNobodyWasDisturbed(int runs) {
     for (RobletStatus status : brain.roblets()) {
       assertEquals(runs, status.tally().runs(), status::toString);
