@@ -34,8 +34,8 @@ import org.robotui.message.topic.TopicSettings;
 public final class RelayTopics implements CommandSink<RelayMessage>, AutoCloseable {
   private static final Duration IDLE = Duration.ofMinutes(1);
 
-  private record Relay(PatientTopic<DynamicMessage> topic, MessageByNames messages, TypeAgreement agreement, String type,
-      boolean kept) {
+  private record Relay(PatientTopic<DynamicMessage> topic, MessageByNames messages, TypeAgreement agreement,
+      String type, boolean kept) {
     /** Says it as it came, where the other robot has the same type in the same encoding. */
     boolean saysRaw(RelayMessage said) {
       return said.original().type().equals(type) && said.original().wire()

@@ -18,7 +18,8 @@ final class XbotBrowser implements Browser {
   private static final String NOT_HERE = "a real-time control has no such thing as ";
 
   private final FollowActions actions;
-  private final MessageRegistry types = new MessageRegistry(new LocalDefinitions(List.of(), List.of()), Generation.ROS1);
+  private final MessageRegistry types =
+      new MessageRegistry(new LocalDefinitions(List.of(), List.of()), Generation.ROS1);
 
   XbotBrowser(FollowActions actions) {
     this.actions = actions;

@@ -22,7 +22,8 @@ class FollowActionsTest {
   private static final String ACTION = "Arm/follow_joint_trajectory";
   private static final Map<String, Object> POINT =
       Map.of("positions", List.of(0.5, 1L), "velocities", List.of(), "time_from_start", 1_500_000_000L);
-  private static final Map<String, Object> WAY = Map.of("joint_names", List.of("pan", "lift"), "points", List.of(POINT));
+  private static final Map<String, Object> WAY =
+      Map.of("joint_names", List.of("pan", "lift"), "points", List.of(POINT));
 
   private final ScriptedPlugin plugin = new ScriptedPlugin();
   private final FollowActions actions = new FollowActions(plugin);
@@ -58,8 +59,8 @@ class FollowActionsTest {
   }
 
   private static Object field(DynamicRecord record, String path) {
-    return record.at(FieldPath.parse(path)).map(value -> value instanceof FieldValue.Num number ? number.value() : value)
-        .orElse("missing");
+    return record.at(FieldPath.parse(path))
+        .map(value -> value instanceof FieldValue.Num number ? number.value() : value).orElse("missing");
   }
 
   private static String ended(ActionReply reply) {
@@ -123,8 +124,8 @@ class FollowActionsTest {
 
   @Test
   void nothingIsReadOfWhatIsNoReport() {
-    for (String text : List.of("", "1 moving 1 moving", "1 flying 1 moving 0\n\n\n\n\n", "x moving 1 moving 0\n\n\n\n\n",
-        "1 moving 1 moving 0\n\n\n1 x\n\n", "1 moving 1 moving 0")) {
+    for (String text : List.of("", "1 moving 1 moving", "1 flying 1 moving 0\n\n\n\n\n",
+        "x moving 1 moving 0\n\n\n\n\n", "1 moving 1 moving 0\n\n\n1 x\n\n", "1 moving 1 moving 0")) {
       assertEquals(Optional.empty(), FollowReport.read(text), text);
     }
   }
