@@ -40,7 +40,10 @@ make_package() {
   mkdir -p "$work/source" "$work/inc/$name" "$V/share/$name"
   cp_definitions "$work/source" "$name" "$@" && generate "$work" "$name" "$@" && build "$work/inc/$name" "$work/inc" "$name" || return
   for part in action msg srv; do
-    [[ ! -d $work/source/$part ]] || { mkdir -p "$V/share/$name/$part"; cp "$work/source/$part"/* "$V/share/$name/$part/"; }
+    [[ -d $work/source/$part ]] || continue
+    mkdir -p "$V/share/$name/$part"
+    # The others are needed by packages that use this one.
+    cp "$work/source/$part"/* "$work/inc/$name/tmp/$part"/*.idl "$work/inc/$name/$part"/*.json "$V/share/$name/$part/"
   done
   mkdir -p "$V/include/$name"
   cp -r "$work/inc/$name" "$V/include/$name/"

@@ -14,7 +14,9 @@ RCLPY = pathlib.Path(os.environ.get("ROBOTUI_ROS2_PEERS", "none")) / "rclpy/bin/
 DOMAIN = int(os.environ.get("ROBOTUI_TEST_DOMAIN", "70")) + 18 + int(os.environ.get("PYTEST_XDIST_WORKER", "gw0").removeprefix("gw"))
 SUCCESSFUL, INVALID_GOAL, INVALID_JOINTS, PATH_TOLERANCE_VIOLATED = 0, -1, -2, -4
 
-pytestmark = [needs_rt, pytest.mark.skipif(not RCLPY.exists(), reason="rclpy is not installed (ROBOTUI_ROS2_PEERS)")]
+GENERATED = any(RCLPY.parent.parent.glob("lib/python3*/site-packages/control_msgs/made"))
+
+pytestmark = [needs_rt, pytest.mark.skipif(not GENERATED, reason="control_msgs was not generated for rclpy (tools/ros2-interfaces.sh; ROBOTUI_ROS2_PEERS)")]
 
 
 def shipped(folder):

@@ -35,8 +35,7 @@ public final class RelayTopics implements CommandSink<RelayMessage>, AutoCloseab
   private static final Duration IDLE = Duration.ofMinutes(1);
 
   private record Relay(PatientTopic<DynamicMessage> topic, MessageByNames messages, TypeAgreement agreement,
-      String type,
-      boolean kept) {
+      String type, boolean kept) {
     /** Says it as it came, where the other robot has the same type in the same encoding. */
     boolean saysRaw(RelayMessage said) {
       return said.original().type().equals(type) && said.original().wire()

@@ -113,9 +113,7 @@ public final class GazeboTopics implements TopicClient {
     return PromptPublisher.unheard();
   }
 
-  /**
-   * Their nodes say so to those who publish what they want, and to nobody else where the transport is of version 11.
-   */
+  /** Nodes say what they want to those who publish it, and to nobody else where the transport is of version 11. */
   @Override
   public boolean knowsListeners() {
     return false;

@@ -9,8 +9,7 @@ import org.robotui.data.record.MapRecord;
 
 /** The error codes of control_msgs/FollowJointTrajectory. */
 enum FollowCode {
-  SUCCESSFUL(0), INVALID_GOAL(-1), INVALID_JOINTS(-2), OLD_HEADER_TIMESTAMP(-3), PATH_TOLERANCE_VIOLATED(
-      -4),
+  SUCCESSFUL(0), INVALID_GOAL(-1), INVALID_JOINTS(-2), OLD_HEADER_TIMESTAMP(-3), PATH_TOLERANCE_VIOLATED(-4),
   GOAL_TOLERANCE_VIOLATED(-5);
 
   private static final String RESULT = "control_msgs/FollowJointTrajectoryResult";

@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.robotui.api.port.ActionReply;
+import org.robotui.api.port.ActionReply.End;
 import org.robotui.api.port.ActionRequest;
 import org.robotui.api.port.CallException;
 import org.robotui.api.port.CallHandler;
@@ -59,8 +60,7 @@ class FollowActionsTest {
 
   private static Object field(DynamicRecord record, String path) {
     return record.at(FieldPath.parse(path))
-        .map(value -> value instanceof FieldValue.Num number ? number.value() : value)
-        .orElse("missing");
+        .map(value -> value instanceof FieldValue.Num number ? number.value() : value).orElse("missing");
   }
 
   private static String ended(ActionReply reply) {
@@ -125,8 +125,7 @@ class FollowActionsTest {
   @Test
   void nothingIsReadOfWhatIsNoReport() {
     for (String text : List.of("", "1 moving 1 moving", "1 flying 1 moving 0\n\n\n\n\n",
-        "x moving 1 moving 0\n\n\n\n\n",
-        "1 moving 1 moving 0\n\n\n1 x\n\n", "1 moving 1 moving 0")) {
+        "x moving 1 moving 0\n\n\n\n\n", "1 moving 1 moving 0\n\n\n1 x\n\n", "1 moving 1 moving 0")) {
       assertEquals(Optional.empty(), FollowReport.read(text), text);
     }
   }
