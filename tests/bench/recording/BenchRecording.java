@@ -83,8 +83,8 @@ public final class BenchRecording {
       RecordingCursor cursor = recording.cursor(RecordingInterval.ALWAYS, Set.of());
       for (Optional<RecordedMessage> next = cursor.next(); next.isPresent(); next = cursor.next()) {
         RecordedMessage message = next.get();
-        RecordedChannel channel = channels.computeIfAbsent(message.channel(), from -> writer.channel(from.topic(),
-            from.messageEncoding(), from.schema(), from.metadata()));
+        RecordedChannel channel = channels.computeIfAbsent(message.channel(), each -> writer.channel(each.topic(),
+            each.messageEncoding(), each.schema(), each.metadata()));
         writer.write(channel, message.logTime(), message.publishTime(), 0, message.data());
       }
     }
