@@ -60,11 +60,11 @@ class RecordedChoiceTest {
     robot.says("odom", RecordedRobot.raw("/map", "/upstairs", true, "up"));
     robot.says("odom", RecordedRobot.raw("/map", "/downstairs", true, "down"));
     robot.says("odom", RecordedRobot.raw("/map", "/sketch", false, "passing"));
-    for (int i = 0; i < 8; i++) {
+    awaitMessages("/map", 3); // ports are looked into one after the other
+    for (int i = 0; i < 12; i++) {
       robot.says("scan", "/scan", false, "x".repeat(200_000));
     }
-    awaitMessages("/scan", 8);
-    awaitMessages("/map", 3);
+    awaitMessages("/scan", 12);
     assertEquals(1, status().channels().stream().filter(each -> each.topic().equals("/map")).count());
     Path second = done(recorder.stop()).get(1);
 
