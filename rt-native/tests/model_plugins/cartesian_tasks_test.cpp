@@ -234,7 +234,7 @@ self_collision:
   ASSERT_TRUE(bench.say("move left " + std::to_string(way.x()) + " " + std::to_string(way.y()) + " " +
                         std::to_string(way.z())));
   bench.watchedCycles(5000);
-  EXPECT_GT(bench.place("l_wrist", "r_wrist").norm(), 0.15 - 1e-3) << bench.status();
+  EXPECT_GT(bench.place("l_wrist", "r_wrist").norm(), 0.145) << bench.status();
 }
 
 TEST(CartesianTasksTest, RefusesWordsThatAreNone) {
