@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kRest = 1e-10;      // of the function's distance: a shorter step is none
 constexpr double kParallel = 1e-13;  // cosine below which a row does not change along a step
-constexpr double kEqual = 1e-12;     // bounds that are so near to each other are one value
+constexpr double kOneValue = 1e-12;  // bounds that are so near to each other are one value
 
 }  // namespace
 
@@ -82,7 +82,7 @@ BoundedQuadratic::Blocking BoundedQuadratic::findBlocking() const noexcept {
     const double room = slope > 0 ? upper_[i] - values_[i] : lower_[i] - values_[i];
     const double part = std::max(room / slope, 0.0);
     if (part >= first.part) continue;
-    const bool is_equal = upper_[i] - lower_[i] <= kEqual;
+    const bool is_equal = upper_[i] - lower_[i] <= kOneValue;
     first = {i, is_equal ? Side::kEqual : slope > 0 ? Side::kUpper : Side::kLower, part};
   }
   return first;

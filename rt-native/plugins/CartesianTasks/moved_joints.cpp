@@ -9,14 +9,16 @@ namespace robotui::rt::plugins {
 namespace {
 
 constexpr double kUnlimited = 1e6;  // rad/s or m/s
+constexpr double kBraking = 0.8;    // of the deceleration: the last cycle before a limit takes a little more
 
 // The velocity from which a joint still comes to rest within `way`, cycle by cycle, with that deceleration.
 double stopping(double way, double deceleration, double period) noexcept {
   const double rest = std::max(way, 0.0);
   if (!std::isfinite(rest)) return kUnlimited;
   if (!std::isfinite(deceleration)) return rest / period;
-  const double half = deceleration * period / 2;
-  return std::min(std::sqrt(half * half + 2 * deceleration * rest) - half, rest / period);
+  const double braking = kBraking * deceleration;
+  const double half = braking * period / 2;
+  return std::min(std::sqrt(half * half + 2 * braking * rest) - half, rest / period);
 }
 
 }  // namespace

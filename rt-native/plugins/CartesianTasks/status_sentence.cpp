@@ -25,7 +25,7 @@ void CartesianTasks::say() noexcept {
     if (!task.does.isActive()) continue;
     is_led |= task.does.isLedByVelocity();
     const bool is_held = task.hindrance != Hindrance::kNone;
-    if (task.does.isThere() && !is_held) continue;
+    if (task.does.isThere() && !(is_held && task.does.isLedByVelocity())) continue;
     if (late == nullptr || (is_held && late->hindrance == Hindrance::kNone)) late = &task;
   }
   if (late != nullptr && (late->hindrance != Hindrance::kNone || !late->does.isLedByVelocity()))

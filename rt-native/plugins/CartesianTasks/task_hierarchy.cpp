@@ -7,8 +7,8 @@ namespace robotui::rt::plugins {
 namespace {
 
 constexpr double kNothing = 1e-9;      // a pivot that is no direction
-constexpr double kSingular = 0.05;     // a pivot below which a level is damped
-constexpr double kMostDamping = 0.05;  // at the singularity itself
+constexpr double kSingular = 0.02;     // a pivot below which a level is damped
+constexpr double kMostDamping = 0.02;  // at the singularity itself
 constexpr double kLeastDamping = 1e-4;
 constexpr double kSlowness = 0.01;  // how little a level gives of its direction to be faster: its weight
 constexpr double kMissed = 1e-6;    // of what could be reached: less is rounding

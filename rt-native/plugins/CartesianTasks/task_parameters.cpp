@@ -8,7 +8,6 @@ namespace robotui::rt::plugins {
 namespace {
 
 constexpr std::array<const char*, 6> kAxes{"x", "y", "z", "roll", "pitch", "yaw"};
-constexpr double kMostMetres = 10;
 
 bool isKnown(const std::string& name, const RobotInterface& robot) {
   const auto& postures = robot.description().postures;
@@ -72,44 +71,11 @@ std::vector<TaskDescription> tasksOf(const config::Reader& params, RobotInterfac
   return tasks;
 }
 
-// [x, y, z, radius] of a sphere, or [x, y, z, x, y, z, radius].
-Capsule capsuleOf(const config::Reader& at) {
-  std::vector<double> numbers;
-  for (const auto& item : at.items("[0, 0, 0, 0, 0, 0.2, 0.05]"))
-    numbers.push_back(item.real(-kMostMetres, kMostMetres));
-  if (numbers.size() != 4 && numbers.size() != 7)
-    at.fail("has " + std::to_string(numbers.size()) +
-            " numbers; expected 4 (x, y, z, radius) or 7 (two points, radius)");
-  if (numbers.back() <= 0) at.fail("needs a radius above 0");
-  const Eigen::Vector3d from(numbers[0], numbers[1], numbers[2]);
-  const Eigen::Vector3d to = numbers.size() == 4 ? from : Eigen::Vector3d(numbers[3], numbers[4], numbers[5]);
-  return {from, to, numbers.back()};
-}
-
-void readDistance(const config::Reader& params, TaskParameters& into) {
-  const auto block = params.find("self_collision");
-  into.distance.emplace();
-  if (!block) return;
-  if (block->node().IsScalar()) {
-    if (!block->flag()) into.distance.reset();
-    return;
-  }
-  block->knowsOnly({"distance", "slow", "capsules"});
-  into.distance->least = block->realOr("distance", into.distance->least, 0, 1);
-  into.distance->slow = block->realOr("slow", into.distance->least + 0.08, into.distance->least, 2);
-  const auto capsules = block->find("capsules");
-  if (!capsules) return;
-  for (const auto& [link, list] : capsules->entries()) {
-    for (const auto& item : list.items("[[0, 0, 0, 0, 0, 0.2, 0.05]]"))
-      into.capsules.emplace_back(link, capsuleOf(item));
-  }
-}
-
 }  // namespace
 
 TaskParameters readTaskParameters(const config::Reader& params, RobotInterface& robot) {
-  params.knowsOnly({"tasks", "joints", "chains", "posture", "posture_speed", "linear_speed", "angular_speed",
-                    "velocity_timeout", "self_collision"});
+  params.knowsOnly(
+      {"tasks", "joints", "chains", "posture", "posture_speed", "linear_speed", "angular_speed", "velocity_timeout"});
   TaskParameters result;
   result.tasks = tasksOf(params, robot);
   result.joints = chosenJoints(params, robot);
@@ -117,7 +83,6 @@ TaskParameters readTaskParameters(const config::Reader& params, RobotInterface& 
   if (!result.posture.empty() && !isKnown(result.posture, robot))
     params.at("posture", "home").fail("is no posture of the SRDF");
   result.posture_speed = params.realOr("posture_speed", result.posture_speed, 0.001, 1);
-  readDistance(params, result);
   return result;
 }
 

@@ -81,7 +81,7 @@ TEST(TaskHierarchyTest, IsAsGoodAsTheBestOfAllCombinationsOfBounds) {
   Numbers numbers;
   int bounded = 0;
   int compared = 0;
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < 30; ++i) {
     const Index joints = 3 + i % 3;
     VelocityBounds bounds = boundsOf(joints, 1);
     bounds.upper += numbers.vector(joints, 0.5);
@@ -108,13 +108,13 @@ TEST(TaskHierarchyTest, IsAsGoodAsTheBestOfAllCombinationsOfBounds) {
     EXPECT_NEAR((second * at - then).norm(), reference.best(second, then), 2e-3) << i;
     bounded += least > 1e-3 ? 1 : 0;
   }
-  EXPECT_GT(compared, 30);
-  EXPECT_GT(bounded, 5) << "the bounds were to matter";
+  EXPECT_GT(compared, 10);
+  EXPECT_GT(bounded, 2) << "the bounds were to matter";
 }
 
 TEST(TaskHierarchyTest, ALowerTaskNeverDisturbsAHigherOneAndBoundsAlwaysHold) {
   Numbers numbers;
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < 60; ++i) {
     const Index joints = 7 + i % 9;
     const VelocityBounds bounds = boundsOf(joints, 0.2 + std::abs(numbers.one(1)));
     const MatrixXd constraint = numbers.matrix(2, joints);
