@@ -10,7 +10,6 @@ import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.robotui.api.port.ActionReply;
-import org.robotui.api.port.ActionReply.End;
 import org.robotui.api.port.ActionRequest;
 import org.robotui.api.port.CallException;
 import org.robotui.api.port.CallHandler;
