@@ -224,13 +224,4 @@ void readSrdf(const std::filesystem::path& file, const std::string& text, const 
   Groups(xml, urdf, robot, warnings).read();
 }
 
-std::vector<std::pair<std::string, std::string>> disabledCollisions(const RobotDescription& robot) {
-  std::vector<std::pair<std::string, std::string>> pairs;
-  if (robot.srdf.empty()) return pairs;
-  const XmlFile xml("the SRDF", robot.srdf);
-  for (const Element* pair : xml.children(xml.root(), "disable_collisions"))
-    pairs.emplace_back(xml.attribute(*pair, "link1"), xml.attribute(*pair, "link2"));
-  return pairs;
-}
-
 }  // namespace robotui::rt::config

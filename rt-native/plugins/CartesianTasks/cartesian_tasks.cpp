@@ -30,34 +30,16 @@ bool CartesianTasks::init_control_plugin(Setup& setup) {
   }
   most_rows = std::max(most_rows, rows);
   bounds_.emplace(joints);
-  hierarchy_.emplace(joints, most_rows, SelfDistance::kMostNear);
+  hierarchy_.emplace(joints, most_rows);
   rows_.setZero(most_rows, joints);
   wanted_.setZero(most_rows);
   each_joint_.setIdentity(joints, joints);
   posture_.setZero(joints);
   first_posture_ = parameters.posture;
   posture_speed_ = parameters.posture_speed;
-  if (parameters.distance) makeSelfDistance(setup, parameters);
   setup.claim(namesOf(parameters.joints));
   status_.assign("stopped");
   return true;
-}
-
-// Pairs of parts are those that do not touch each other in the posture `home`, or at zero.
-void CartesianTasks::makeSelfDistance(Setup& setup, const TaskParameters& parameters) {
-  distance_.emplace(*robot_, *model_, *parameters.distance);
-  for (const auto& [link, capsule] : parameters.capsules) {
-    if (!distance_->add(link, capsule))
-      config::Reader(setup.params(), {}, setup.name()).fail("has capsules of '" + link + "', which is no link");
-  }
-  Eigen::VectorXd home = Eigen::VectorXd::Zero(model_->getJointNum());
-  for (const auto& posture : robot_->postures) {
-    if (posture.name != "home") continue;
-    for (const auto& [name, position] : posture.joints) home[model_->findJoint(name)->index()] = position;
-  }
-  model_->setJointPosition(home);
-  model_->update();
-  distance_->findPairs(*model_, joints_->places());
 }
 
 RtStatus CartesianTasks::on_start(double /*time*/) noexcept {
@@ -79,7 +61,6 @@ void CartesianTasks::update() noexcept {
 RtStatus CartesianTasks::control_loop(double /*time*/, double period) noexcept {
   joints_->bound(*bounds_, period);
   hierarchy_->begin(*bounds_);
-  if (distance_) distance_->constrain(*model_, *hierarchy_);
   solveTasks(period);
   solvePosture();
   joints_->move(hierarchy_->velocities(), period, *model_);
@@ -124,12 +105,6 @@ void CartesianTasks::findHindrance(Task& task, const LevelOutcome& outcome, bool
     length += wanted_[row] * wanted_[row];
   }
   if (std::sqrt(lack) < kSlow + kHindered * std::sqrt(length)) return;
-  for (Eigen::Index row = 0; distance_ && row < distance_->rows(); ++row) {
-    if (!hierarchy_->isActive(row)) continue;
-    task.hindrance = Hindrance::kNear;
-    task.which = row;
-    return;
-  }
   for (Eigen::Index i = 0; i < joints_->size(); ++i) {
     if (rows_.col(i).segment(task.row, task.does.rows()).norm() < kSlow) continue;
     if (!joints_->isAtLimit(i, velocities[i], *bounds_)) continue;

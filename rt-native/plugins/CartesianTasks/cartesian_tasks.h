@@ -10,7 +10,6 @@
 #include "moved_joints.h"
 #include "robotui/rt/link/fixed_text.h"
 #include "robotui/rt/plugin/control_plugin.h"
-#include "self_distance.h"
 #include "task_parameters.h"
 
 namespace robotui::rt::plugins {
@@ -28,16 +27,15 @@ class CartesianTasks final : public ControlPlugin {
   std::string_view status() const noexcept override { return status_.view(); }
 
  private:
-  enum class Hindrance : std::uint8_t { kNone, kLimit, kNear, kSingular, kPriority };
+  enum class Hindrance : std::uint8_t { kNone, kLimit, kSingular, kPriority };
 
   struct Task {
     CartesianTask does;
     Hindrance hindrance = Hindrance::kNone;
-    Eigen::Index which = 0;  // joint, or pair of parts
+    Eigen::Index which = 0;  // joint
     Eigen::Index row = 0;    // of its level
   };
 
-  void makeSelfDistance(Setup& setup, const TaskParameters& parameters);
   void solveTasks(double period) noexcept;
   void solvePosture() noexcept;
   void findHindrance(Task& task, const LevelOutcome& outcome, bool is_first) noexcept;
@@ -51,7 +49,6 @@ class CartesianTasks final : public ControlPlugin {
   std::unique_ptr<ModelInterface> model_;
   std::optional<MovedJoints> joints_;
   std::vector<Task> tasks_;  // by priority
-  std::optional<SelfDistance> distance_;
   std::optional<VelocityBounds> bounds_;
   std::optional<TaskHierarchy> hierarchy_;
   Eigen::MatrixXd rows_;  // of a level

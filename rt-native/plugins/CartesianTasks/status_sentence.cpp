@@ -45,12 +45,6 @@ void CartesianTasks::sayOf(const Task& task) noexcept {
   status_.append(number(task.does.radians())).append(" rad from its target: ");
   switch (task.hindrance) {
     case Hindrance::kLimit: status_.append(joints_->joint(task.which).name()).append(" is at its limit"); break;
-    case Hindrance::kNear: {
-      const auto [first, second] = distance_->names(task.which);
-      status_.append(first).append(" and ").append(second).append(" are ");
-      status_.append(number(distance_->metres(task.which))).append(" m apart");
-      break;
-    }
     case Hindrance::kSingular: status_.append("it is at the end of its reach, or in a singular posture"); break;
     case Hindrance::kPriority: status_.append("a task of higher priority needs the joints"); break;
     case Hindrance::kNone: break;

@@ -12,7 +12,6 @@ constexpr double kMostDamping = 0.02;  // at the singularity itself
 constexpr double kLeastDamping = 1e-4;
 constexpr double kSlowness = 0.01;  // how little a level gives of its direction to be faster: its weight
 constexpr double kMissed = 1e-6;    // of what could be reached: less is rounding
-constexpr double kAtBound = 1e-8;
 
 double dampingFor(double pivot) noexcept {
   if (pivot >= kSingular) return kLeastDamping * kLeastDamping;
@@ -25,30 +24,16 @@ double dampingFor(double pivot) noexcept {
 VelocityBounds::VelocityBounds(Eigen::Index joints)
     : lower(Eigen::VectorXd::Zero(joints)), upper(lower), reach_lower(lower), reach_upper(lower) {}
 
-TaskHierarchy::TaskHierarchy(Index joints, Index most_rows, Index most_constraints)
-    : quadratic_(joints + 1, joints + most_constraints + 1), velocities_(Eigen::VectorXd::Zero(joints)),
-      freedom_(joints, joints), projected_(most_rows, joints), missing_(most_rows), reached_(most_rows), best_(joints),
-      reflection_(joints), workspace_(std::max(joints, most_rows)), constraints_(most_constraints, joints),
-      most_(most_constraints) {}
+TaskHierarchy::TaskHierarchy(Index joints, Index most_rows)
+    : quadratic_(joints + 1, joints + 1), velocities_(Eigen::VectorXd::Zero(joints)), freedom_(joints, joints),
+      projected_(most_rows, joints), missing_(most_rows), reached_(most_rows), best_(joints), reflection_(joints),
+      workspace_(std::max(joints, most_rows)) {}
 
 void TaskHierarchy::begin(const VelocityBounds& bounds) noexcept {
   bounds_ = &bounds;
   velocities_ = bounds.lower.cwiseMax(bounds.upper.cwiseMin(0.0));
   freedom_.setIdentity();
   free_ = freedom_.cols();
-  constrained_ = 0;
-}
-
-void TaskHierarchy::constrain(const Eigen::Ref<const Eigen::RowVectorXd, 0, Eigen::InnerStride<>>& row,
-                              double most) noexcept {
-  if (constrained_ == constraints_.rows()) return;
-  constraints_.row(constrained_) = row;
-  most_[constrained_] = std::max(most, row.dot(velocities_));
-  ++constrained_;
-}
-
-bool TaskHierarchy::isActive(Index constraint) const noexcept {
-  return constraints_.row(constraint).dot(velocities_) > most_[constraint] - kAtBound;
 }
 
 // Turns the freedom so that the rows, best first, lie in its first columns: how many they are.
@@ -85,17 +70,9 @@ void TaskHierarchy::put(Index rows, double damping) noexcept {
 
 void TaskHierarchy::putBounds(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) noexcept {
   const Index joints = velocities_.size();
-  const auto freedom = freedom_.rightCols(free_);
-  auto to = quadratic_.rows();
-  to.topLeftCorner(joints, free_) = freedom;
-  const auto constraints = constraints_.topRows(constrained_);
-  to.block(joints, 0, constrained_, free_).noalias() = constraints * freedom;
+  quadratic_.rows().topLeftCorner(joints, free_) = freedom_.rightCols(free_);
   quadratic_.lower().head(joints) = (lower - velocities_).cwiseMin(0.0);
   quadratic_.upper().head(joints) = (upper - velocities_).cwiseMax(0.0);
-  quadratic_.lower().segment(joints, constrained_).setConstant(-1e9);
-  auto most = quadratic_.upper().segment(joints, constrained_);
-  most.noalias() = -constraints * velocities_;
-  most = (most + most_.head(constrained_)).cwiseMax(0.0);
 }
 
 LevelOutcome TaskHierarchy::solve(const Eigen::Ref<const Eigen::MatrixXd>& rows,
@@ -112,7 +89,7 @@ LevelOutcome TaskHierarchy::solve(const Eigen::Ref<const Eigen::MatrixXd>& rows,
   const double damping = dampingFor(rank > 0 ? outcome.pivot : kSingular);
   outcome.is_damped = rank > 0 && outcome.pivot < kSingular;
   const auto projected = projected_.topLeftCorner(count, free_);
-  quadratic_.begin(free_, velocities_.size() + constrained_);
+  quadratic_.begin(free_, velocities_.size());
   put(count, damping);
   quadratic_.gradient().noalias() = -projected.transpose() * missing_.head(count);
   putBounds(bounds_->lower, bounds_->upper);
@@ -133,7 +110,7 @@ void TaskHierarchy::slowDown(Index rows, double damping, LevelOutcome& outcome) 
   auto reached = reached_.head(rows);
   reached.noalias() = projected * best_.head(free_);
   if ((missing_.head(rows) - reached).norm() <= kMissed) return;
-  quadratic_.begin(free_, joints + constrained_);
+  quadratic_.begin(free_, joints);
   put(rows, damping);
   quadratic_.gradient().noalias() = -projected.transpose() * missing_.head(rows);
   putBounds(bounds_->reach_lower, bounds_->reach_upper);
@@ -142,7 +119,7 @@ void TaskHierarchy::slowDown(Index rows, double damping, LevelOutcome& outcome) 
   reachable.noalias() = projected * quadratic_.variables();
   const double length = reachable.norm();
   if ((reachable - reached).norm() <= kMissed + 1e-3 * length) return;
-  quadratic_.begin(free_ + 1, joints + constrained_ + 1);
+  quadratic_.begin(free_ + 1, joints + 1);
   put(rows, kLeastDamping * kLeastDamping);  // what is reachable is damped already
   auto hessian = quadratic_.hessian();
   hessian.row(free_).head(free_).noalias() = -reachable.transpose() * projected;
@@ -152,9 +129,9 @@ void TaskHierarchy::slowDown(Index rows, double damping, LevelOutcome& outcome) 
   quadratic_.rows().rightCols<1>().setZero();
   putBounds(bounds_->lower, bounds_->upper);
   quadratic_.rows().bottomRows<1>().setZero();
-  quadratic_.rows()(joints + constrained_, free_) = 1;
-  quadratic_.lower()[joints + constrained_] = 0;
-  quadratic_.upper()[joints + constrained_] = 1;
+  quadratic_.rows()(joints, free_) = 1;
+  quadratic_.lower()[joints] = 0;
+  quadratic_.upper()[joints] = 1;
   outcome.is_done &= quadratic_.solve();
   best_.head(free_) = quadratic_.variables().head(free_);
   outcome.scale = quadratic_.variables()[free_];

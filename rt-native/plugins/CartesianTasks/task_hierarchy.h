@@ -29,19 +29,16 @@ struct LevelOutcome {
 };
 
 // A cascade of least squares: each level moves in the null space of all before it, and so cannot disturb them. One
-// cycle: begin(), constrain(), solve() for each level from the first on, velocities().
+// cycle: begin(), solve() for each level from the first on, velocities().
 class TaskHierarchy {
  public:
   using Index = Eigen::Index;
 
-  // Sizes that no cycle exceeds: joints, rows of one level, rows of constrain().
-  TaskHierarchy(Index joints, Index most_rows, Index most_constraints);
+  // Sizes that no cycle exceeds: joints, rows of one level.
+  TaskHierarchy(Index joints, Index most_rows);
 
   // The bounds live as long as the cycle.
   void begin(const VelocityBounds& bounds) noexcept;
-
-  // row * velocities <= most, in all levels; loosened as far as it takes to brake with all that the bounds allow.
-  void constrain(const Eigen::Ref<const Eigen::RowVectorXd, 0, Eigen::InnerStride<>>& row, double most) noexcept;
 
   // The next level: velocities for which `rows` * velocities is as near `wanted` as can be; its direction is kept where
   // `is_scaled`.
@@ -49,9 +46,6 @@ class TaskHierarchy {
                      bool is_scaled) noexcept;
 
   const Eigen::VectorXd& velocities() const noexcept { return velocities_; }
-
-  // Whether the constraint of that number (from 0) holds the velocities back.
-  bool isActive(Index constraint) const noexcept;
 
  private:
   Index turn(Index rows, LevelOutcome& outcome) noexcept;
@@ -69,10 +63,7 @@ class TaskHierarchy {
   Eigen::VectorXd best_;
   Eigen::VectorXd reflection_;
   Eigen::VectorXd workspace_;
-  Eigen::MatrixXd constraints_;
-  Eigen::VectorXd most_;
   Index free_ = 0;
-  Index constrained_ = 0;
 };
 
 }  // namespace robotui::rt::plugins

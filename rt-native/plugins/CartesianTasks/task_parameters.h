@@ -1,14 +1,11 @@
 // The parameters of CartesianTasks, as they are written: docs/rt-cartesian.md.
 #pragma once
 
-#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "cartesian_task.h"
 #include "robotui/rt/config/reader.h"
-#include "self_distance.h"
 
 namespace robotui::rt::plugins {
 
@@ -17,8 +14,6 @@ struct TaskParameters {
   std::vector<Joint*> joints;
   std::string posture;         // of the SRDF; empty is where the joints are at the start
   double posture_speed = 0.2;  // fraction of the velocity limits
-  std::optional<DistanceLimits> distance;
-  std::vector<std::pair<std::string, Capsule>> capsules;  // by link
 };
 
 // Throws ConfigError. Not real time.

@@ -92,7 +92,7 @@ TEST(TaskHierarchyTest, IsAsGoodAsTheBestOfAllCombinationsOfBounds) {
     const MatrixXd second = numbers.matrix(3, joints);
     const VectorXd wanted = numbers.vector(2, 2);
     const VectorXd then = numbers.vector(3, 2);
-    TaskHierarchy hierarchy(joints, 3, 0);
+    TaskHierarchy hierarchy(joints, 3);
     hierarchy.begin(bounds);
     const LevelOutcome above = hierarchy.solve(first, wanted, false);
     const LevelOutcome below = hierarchy.solve(second, then, false);
@@ -117,10 +117,8 @@ TEST(TaskHierarchyTest, ALowerTaskNeverDisturbsAHigherOneAndBoundsAlwaysHold) {
   for (int i = 0; i < 60; ++i) {
     const Index joints = 7 + i % 9;
     const VelocityBounds bounds = boundsOf(joints, 0.2 + std::abs(numbers.one(1)));
-    const MatrixXd constraint = numbers.matrix(2, joints);
-    TaskHierarchy hierarchy(joints, joints, 2);
+    TaskHierarchy hierarchy(joints, joints);
     hierarchy.begin(bounds);
-    for (Index k = 0; k < 2; ++k) hierarchy.constrain(constraint.row(k), 0.1);
     MatrixXd above(0, joints);
     VectorXd kept(0);
     for (const Index rows : {Index(3), Index(2), Index(6), joints}) {
@@ -132,7 +130,6 @@ TEST(TaskHierarchyTest, ALowerTaskNeverDisturbsAHigherOneAndBoundsAlwaysHold) {
         EXPECT_LT((above * at - kept).cwiseAbs().maxCoeff(), 1e-6) << i;
       }
       EXPECT_TRUE((at.array() <= bounds.upper.array()).all() && (at.array() >= bounds.lower.array()).all());
-      EXPECT_LE((constraint * at).maxCoeff(), 0.1 + 1e-6);
       above.conservativeResize(above.rows() + rows, joints);
       above.bottomRows(rows) = level;
       kept = above * at;
@@ -148,7 +145,7 @@ TEST(TaskHierarchyTest, ATaskThatIsTooFastIsSlowedDownInItsDirection) {
     bounds.reach_lower.setConstant(-100);
     const MatrixXd rows = numbers.matrix(3, 7);
     const VectorXd wanted = 5 * numbers.vector(3, 1).normalized();
-    TaskHierarchy hierarchy(7, 3, 0);
+    TaskHierarchy hierarchy(7, 3);
     hierarchy.begin(bounds);
     const LevelOutcome outcome = hierarchy.solve(rows, wanted, true);
     const VectorXd got = rows * hierarchy.velocities();
@@ -161,7 +158,7 @@ TEST(TaskHierarchyTest, ATaskThatIsTooFastIsSlowedDownInItsDirection) {
 TEST(TaskHierarchyTest, GoesAsNearAsPositionsLetIt) {
   VelocityBounds bounds = boundsOf(2, 1);
   bounds.upper[0] = bounds.reach_upper[0] = 0;
-  TaskHierarchy hierarchy(2, 2, 0);
+  TaskHierarchy hierarchy(2, 2);
   hierarchy.begin(bounds);
   const LevelOutcome outcome = hierarchy.solve(MatrixXd::Identity(2, 2), Eigen::Vector2d(0.5, 0.5), true);
   EXPECT_NEAR(hierarchy.velocities()[0], 0, 1e-9);
@@ -175,25 +172,13 @@ TEST(TaskHierarchyTest, IsDampedNearASingularity) {
   for (const double bend : {0.2, 0.04, 0.01, 1e-3, 1e-5, 1e-8, 1e-12, 0.0}) {
     MatrixXd stretched(2, 3);  // of a planar arm that is nearly straight
     stretched << -bend, -bend / 2, 0, 1, 0.6, 0.3;
-    TaskHierarchy hierarchy(3, 2, 0);
+    TaskHierarchy hierarchy(3, 2);
     hierarchy.begin(bounds);
     const LevelOutcome outcome = hierarchy.solve(stretched, Eigen::Vector2d(0.1, 0), true);
     fastest = std::max(fastest, hierarchy.velocities().norm());
     EXPECT_EQ(outcome.is_damped || outcome.is_lost, bend < 0.1) << bend;
   }
   EXPECT_LT(fastest, 10);
-}
-
-TEST(TaskHierarchyTest, BrakesWhereAConstraintAsksForMoreThanTheBoundsAllow) {
-  VelocityBounds bounds = boundsOf(2, 1);
-  bounds.lower[0] = 0.4;  // it is faster now than it can brake in this cycle
-  TaskHierarchy hierarchy(2, 2, 1);
-  hierarchy.begin(bounds);
-  hierarchy.constrain(Eigen::RowVector2d(1, 0), 0);
-  hierarchy.solve(MatrixXd::Identity(2, 2), Eigen::Vector2d(1, 0.5), true);
-  EXPECT_NEAR(hierarchy.velocities()[0], 0.4, 1e-7);
-  EXPECT_GT(hierarchy.velocities()[1], 0);
-  EXPECT_TRUE(hierarchy.isActive(0));
 }
 
 TEST(ZeroTaskHierarchyTest, AsksNothingOfTheHeapInACycle) {
@@ -203,12 +188,11 @@ TEST(ZeroTaskHierarchyTest, AsksNothingOfTheHeapInACycle) {
   const VectorXd wanted = numbers.vector(12, 1);
   const MatrixXd posture = MatrixXd::Identity(40, 40);
   const VectorXd home = numbers.vector(40, 1);
-  TaskHierarchy hierarchy(40, 40, 8);
+  TaskHierarchy hierarchy(40, 40);
   const auto before = link::allocationCount().calls;
   {
     const link::CountAllocations counting;
     hierarchy.begin(bounds);
-    for (Index k = 0; k < 8; ++k) hierarchy.constrain(rows.row(k), 0.05);
     hierarchy.solve(rows, wanted, true);
     hierarchy.solve(posture, home, false);
   }

@@ -84,10 +84,6 @@ struct RobotDescription {
 RobotDescription describe(const std::filesystem::path& urdf, const std::filesystem::path& srdf,
                           const std::filesystem::path& joint_map, bool floating_base);
 
-// The pairs of links that the SRDF lets touch each other (disable_collisions). Throws ConfigError where one lacks a
-// name.
-std::vector<std::pair<std::string, std::string>> disabledCollisions(const RobotDescription& robot);
-
 enum class SafeLaw : std::uint8_t { kDamping, kGravity };  // what joints in effort mode do when their plugin fails
 
 // An emergency stop, and the input that it is wired to.
