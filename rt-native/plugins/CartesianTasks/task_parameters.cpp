@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "chosen_joints.h"
+#include "robotui/rt/robot/rigid_tree.h"
 
 namespace robotui::rt::plugins {
 namespace {
