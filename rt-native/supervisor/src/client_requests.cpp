@@ -54,9 +54,10 @@ void ClientRequests::dispatch(std::uint64_t client, const link::Packet& packet) 
   } else if (verb == "press") {
     robot_.press(client, rest);
   } else {
-    replies_.answer(client, "The request " + quoted(verb) +
-                                " is not known. There are: attach, switch, reload, command, status, trajectory, take, "
-                                "release, follower, describe, drives, recover, enable, disable, stops, press, reference.");
+    replies_.answer(client,
+                    "The request " + quoted(verb) +
+                        " is not known. There are: attach, switch, reload, command, status, trajectory, take, "
+                        "release, follower, describe, drives, recover, enable, disable, stops, press, reference.");
   }
 }
 
