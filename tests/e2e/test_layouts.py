@@ -8,7 +8,7 @@ import pytest
 import yaml
 
 from conftest import Robot, free_port, wait_for
-from desktop import DARK, NAVIGATOR, TOP_BAR, Window, java_of, missing, output, pause
+from desktop import DARK, NAVIGATOR, TOP_BAR, Keys, Window, java_of, missing, output, pause
 
 CONFIG = """
 ruics:
@@ -23,6 +23,7 @@ ruics:
 """
 WRITTEN = {"row": [{"weight": 1.0, "tabs": ["map", "plot"]}, {"weight": 1.0, "view": "status"}]}
 TITLE = TOP_BAR + 15
+TITLE_NEAR, TITLE_HALF = 100, 20                      # how far the words of a title may be from where it is taken
 NAMES = ("Apart", "Map", "Plot first")
 
 
@@ -67,14 +68,29 @@ class Arranged:
         return self.window.picture().count(DARK["accent"], NAVIGATOR, TOP_BAR, *self.size())
 
     def drag(self, start, end):
-        """As a hand does, which lets go when it sees the frame around the place where the view would lie."""
+        """As a hand does: it takes a title that it sees, and lets go when it sees the frame around the place where the view would lie."""
+        wait_for(lambda: self.title_at(start), what="the title")
         before = self.accent()
         self.window.move(start)
-        output("xdotool", "mousedown", "1")
-        for part in range(1, 11):
-            self.window.move([int(a + (b - a) * part / 10) for a, b in zip(start, end)])
-        wait_for(lambda: self.accent() > before + 2000, what="a frame around the place where it would lie")
-        output("xdotool", "mouseup", "1")
+        keys = Keys()
+        keys.grip()
+        try:
+            for part in range(1, 11):
+                self.window.move([int(a + (b - a) * part / 10) for a, b in zip(start, end)])
+            wait_for(lambda: self.framed(end, before), what="a frame around the place where it would lie")
+        finally:
+            keys.let_go()
+
+    def framed(self, end, before):
+        """Whether the place is framed; a hand that does not see it moves a little."""
+        self.window.move([end[0] - 1, end[1]])
+        self.window.move(end)
+        return self.accent() > before + 2000
+
+    def title_at(self, place):
+        """Whether the title of a view that is seen is painted near a place."""
+        x, y = place
+        return self.window.picture().count(DARK["text"], x - TITLE_NEAR, y - TITLE_HALF, x + TITLE_NEAR, y + TITLE_HALF) > 20
 
 
 def middle(arranged):
