@@ -1,5 +1,5 @@
 """./robotui bridge between nodes of rospy and rclpy: topics and services both ways, kept messages, commands with limits, and the return
-of who was killed."""
+of who was killed, also the bridge itself."""
 import json
 import os
 import pathlib
@@ -65,9 +65,26 @@ def test_nodes_of_ros_1_and_ros_2_hear_and_command_each_other(roscore, tmp_path)
     assert heard["gaps"] <= 1, "nothing is lost on the way"
     wait_for(lambda: line(bridge, "drive")["control"] == "", what="the lease to be given back")
 
-    tell(bridge, signal.SIGINT)
+    left = ours(roscore)
+    kill_all_of(bridge)                         # the nodes of both sides go on, and the next bridge too
+    robot = roscore.odometry()[0]
+    said = len(lines(again))
+    wait_for(lambda: len(lines(again)) > said, what="the node of ROS 2 to go on")
+    passed = lines(again)[-1]["scans"]
+    bridge = start_robotui(roscore, "bridge", config, "--json", name="bridge2")
+    wait_for(lambda: scans(again, passed + 20), seconds=120, what="scans through the bridge that was started again")
+    wait_for(lambda: not set(left) & set(ours(roscore)), what="the end of what the killed one left")
+    assert roscore.odometry()[0] == robot, "nothing moved because of that"
+
+    tell(bridge, signal.SIGTERM)
     bridge.wait(60)                             # a loaded machine takes its time to end a Java
-    assert bridge.returncode == 130, bridge.err.read_text()
+    assert bridge.returncode == 143, bridge.err.read_text()
+    wait_for(lambda: not ours(roscore), what="no node of ours in ROS 1")
+    wait_for(lambda: lines(again)[-1]["nodes"] == ["visitor"], what=f"no node of ours in ROS 2; {lines(again)[-1]}")
+
+
+def ours(roscore):
+    return [node for node in roscore.nodes() if "robotui" in node]
 
 
 ACTIONS = """

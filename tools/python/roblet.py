@@ -81,8 +81,8 @@ class Roblet:
             message, {key: words[value] if isinstance(value, bool) else str(value) for key, value in values.items()})
 
     def _send(self, kind, to, body, there):
-        self._sequence += 1
-        root = tree.Element("r4n", {"kind": kind, "from": self.name, "run": str(self._run), "seq": str(self._sequence),
+        self._sequences[to] = self._sequences.get(to, 0) + 1    # each receiver sees by it what it has missed
+        root = tree.Element("r4n", {"kind": kind, "from": self.name, "run": str(self._run), "seq": str(self._sequences[to]),
                                     "at": "%.9f" % time.time(), "to": to})
         if body is not None:
             root.append(body)
@@ -105,7 +105,8 @@ class Roblet:
         for friend in self.friends:
             tree.SubElement(root, "friend", {"name": friend})
         self._send("beacon", "brain", root, self._address)
-        self._beacon_at = time.monotonic() + (BEACON if self._brain else BEACON / 5)
+        self._beacon_at = time.monotonic() + self._pause
+        self._pause = min(BEACON, 2 * self._pause)    # not more often where no answer comes: a brain without time has enough to read
 
     def _take(self, data, sender):
         root = parse(data)
@@ -155,8 +156,8 @@ class Roblet:
         self._address = (socket.gethostbyname(host or "127.0.0.1"), int(port or 7852))
         self._socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         self._socket.bind(("127.0.0.1" if self._address[0].startswith("127.") else "0.0.0.0", 0))
-        self._run, self._sequence, self._brain, self._places, self._last = int(time.time() * 1000), 0, None, {}, {}
-        self._state, self._reason, self._restarts, self._beacon_at = "starting", "", 0, 0.0
+        self._run, self._sequences, self._brain, self._places, self._last = int(time.time() * 1000), {}, None, {}, {}
+        self._state, self._reason, self._restarts, self._beacon_at, self._pause = "starting", "", 0, 0.0, BEACON / 5
         signal.signal(signal.SIGTERM, signal.default_int_handler)
         pause = PAUSE
         try:
@@ -174,6 +175,6 @@ class Roblet:
                         if time.monotonic() >= self._beacon_at:
                             self._beacon()
                     self._restarts, self._state = self._restarts + 1, "starting"
-                    self._run, self._sequence = max(self._run + 1, int(time.time() * 1000)), 0
+                    self._run, self._sequences = max(self._run + 1, int(time.time() * 1000)), {}
         except KeyboardInterrupt:
             self._send("leave", "brain", None, self._address)

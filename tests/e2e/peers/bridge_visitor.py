@@ -54,6 +54,7 @@ def main():
             heard["lights"] = [asked.result().success, asked.result().message]
         if time.monotonic() - told > 0.5:
             told = time.monotonic()
+            heard["nodes"] = sorted(node.get_node_names())
             print(json.dumps(heard), flush=True)
 
 

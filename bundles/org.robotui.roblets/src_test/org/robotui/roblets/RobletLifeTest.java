@@ -168,6 +168,8 @@ class RobletLifeTest {
     body.await("the friend was told",
         () -> body.brain().bodymap().snapshot().values(heard).equals(List.of("rudder0.0")));
     body.await("it is said to run", () -> state("heart2").equals(RobletStatus.RUNNING));
+    RobletStatus rudder = body.brain().roblets().getLast();
+    assertEquals(0, rudder.tally().lost(), () -> "what a friend was told is not missing at the brain: " + rudder);
   }
 
   @Test

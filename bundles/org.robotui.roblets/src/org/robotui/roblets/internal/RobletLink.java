@@ -8,6 +8,7 @@ import java.time.Duration;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Supplier;
 import org.robotui.roblets.roblet.RobletOptions;
 import org.robotui.roblets.roblet.RobletSpeech;
@@ -30,12 +31,14 @@ public final class RobletLink implements DatagramEndpoint.Handler, RobletSpeech,
   private final Supplier<BodyElement> beacon;
   private final DatagramEndpoint endpoint;
   private final ArrivalOrder order = new ArrivalOrder();
+  private final Map<String, SenderRun> toFriends = new ConcurrentHashMap<>();
   private volatile SenderRun sender;
   private volatile Optional<InetSocketAddress> brain = Optional.empty();
   private volatile Map<String, InetSocketAddress> friends = Map.of();
   private volatile Map<String, InetSocketAddress> speakers = Map.of();
   private volatile long heardAt;
-  private long beaconAt = System.nanoTime(); // only on the reading thread
+  private long beaconAt = System.nanoTime(); // only on the reading thread, as the next one
+  private long pauseNanos = FIRST_NANOS;
 
   public RobletLink(RobletForm form, RobletOptions options, RobletInbox inbox, Supplier<BodyElement> beacon)
       throws IOException {
@@ -52,6 +55,7 @@ public final class RobletLink implements DatagramEndpoint.Handler, RobletSpeech,
   /** What it says from now on belongs to another run. */
   public void again() {
     sender = sender.again();
+    toFriends.clear();
     inbox.clear();
   }
 
@@ -59,7 +63,9 @@ public final class RobletLink implements DatagramEndpoint.Handler, RobletSpeech,
   public void idle(long nowNanos) {
     if (nowNanos - beaconAt >= 0) {
       beacon();
-      beaconAt = nowNanos + (brain.isEmpty() ? FIRST_NANOS : BEACON_NANOS);
+      beaconAt = nowNanos + pauseNanos;
+      // not more often where no answer comes: a brain that has no time would be given still more to read
+      pauseNanos = Math.min(BEACON_NANOS, 2 * pauseNanos);
     }
     if (brain.isPresent() && nowNanos - heardAt > SILENCE_NANOS) {
       brain = Optional.empty(); // another one may answer a broadcast
@@ -123,7 +129,7 @@ public final class RobletLink implements DatagramEndpoint.Handler, RobletSpeech,
   public boolean tell(String friend, BodyElement message) {
     InetSocketAddress there = friends.get(friend);
     return there != null && form.friends().contains(friend)
-        && endpoint.say(sender, DatagramKind.MESSAGE, friend, Optional.of(message), there);
+        && endpoint.say(toFriends.computeIfAbsent(friend, name -> sender.beside()), DatagramKind.MESSAGE, friend, Optional.of(message), there);
   }
 
   @Override

@@ -6,7 +6,10 @@ import org.robotui.roblets.tree.BodyElement;
 import org.robotui.roblets.wire.BodyDatagram;
 import org.robotui.roblets.wire.DatagramKind;
 
-/** Makes the datagrams of one run of a sender. A later run has a greater number, also within one millisecond. */
+/**
+ * Makes the datagrams of one run of a sender for one receiver, which sees by their numbers what it has missed. A later
+ * run has a greater number, also within one millisecond.
+ */
 public final class SenderRun {
   private final String name;
   private final long run;
@@ -24,6 +27,11 @@ public final class SenderRun {
   /** What the next run says. */
   public SenderRun again() {
     return new SenderRun(name, Math.max(run + 1, System.currentTimeMillis()));
+  }
+
+  /** The same run for another receiver. */
+  public SenderRun beside() {
+    return new SenderRun(name, run);
   }
 
   public BodyDatagram next(DatagramKind kind, String to, Optional<BodyElement> body) {

@@ -15,7 +15,7 @@ import org.robotui.roblets.tree.BodyXmlException;
  * @param from who says it
  * @param run when the sender started, milliseconds of its clock since the epoch: a sender that was started again has a
  * greater one
- * @param sequence counts the datagrams of one run, from 1 on
+ * @param sequence counts the datagrams of one run to one receiver, from 1 on
  * @param stampNanos when it was said, nanoseconds since the epoch; 0 where that is not known
  * @param to for whom it is
  * @param body what it says; none where its kind says it all
