@@ -10,7 +10,8 @@ import org.robotui.recording.internal.mcap.McapWriter;
  * enough ({@link WriterOptions}); from then on it is the system's, and survives the end of this process. A file that
  * was not closed has no index, and can be read all the same.
  *
- * <p>Where the disk is full or broken, the file ends with the last record that was whole, and all later calls fail.
+ * <p>Where the disk is full or broken, the file ends with the last record that was whole, and all later calls fail. So
+ * do they where a thread is interrupted while it writes.
  */
 public interface RecordingWriter extends AutoCloseable {
 

@@ -16,9 +16,10 @@ import org.robotui.data.Data;
 final class EventMailbox<T extends Data> implements Mailbox<T> {
   /** A sixth of a second of what comes 50,000 times a second: for so long, a busy machine may not run who takes it. */
   static final int CAPACITY = 8192;
-  static final long BYTES = 32L << 20;
+  /** At 300 MB/s a fifth of a second, where the heap may be so large. */
+  static final long BYTES = Math.clamp(Runtime.getRuntime().maxMemory() / 32, 32L << 20, 64L << 20);
   /** What a value without a message is taken for. */
-  private static final long PLAIN = BYTES / CAPACITY;
+  private static final long PLAIN = (32L << 20) / CAPACITY;
 
   private final Runnable filled;
   private final Queue<Envelope<T>> queue = new ConcurrentLinkedQueue<>();

@@ -36,6 +36,8 @@ import org.robotui.geometry.RigidTransform;
 /** A short text of a value, for lists of ports. */
 public final class ValueText {
   private static final int LONGEST = 60;
+  /** So much of a text is looked at: one of a megabyte would take milliseconds, at each look at the ports. */
+  private static final int SEEN = 1000;
   private static final int FIELDS = 3;
   private static final int DIGITS = 3;
   private static final int PERCENT = 100;
@@ -44,8 +46,12 @@ public final class ValueText {
 
   /** A text of at most 60 characters in one line. */
   public static String of(Data value) {
-    String text = text(value).replaceAll("\\p{Cntrl}+", " ").strip();
+    String text = begin(text(value)).replaceAll("\\p{Cntrl}+", " ").strip();
     return text.length() <= LONGEST ? text : text.substring(0, LONGEST - 1) + "…";
+  }
+
+  private static String begin(String text) {
+    return text.length() <= SEEN ? text : text.substring(0, SEEN);
   }
 
   private static String text(Data value) {
@@ -149,7 +155,7 @@ public final class ValueText {
     return switch (value) {
       case FieldValue.Num n -> text.apply(n.exact());
       case FieldValue.Flag f -> text.apply(f.value());
-      case FieldValue.Text t -> text.apply("'" + t.value() + "'");
+      case FieldValue.Text t -> text.apply("'" + begin(t.value()) + "'");
       case FieldValue.Numbers n -> text.apply("[" + n.values().size() + "]");
       default -> Optional.empty();
     };

@@ -96,9 +96,9 @@ class ChosenInputTest {
     input.connect(List.of(front), "");
     input.choose(Set.of(front.id()));
     int megabyte = 1 << 20;
-    publish(front, 100, megabyte);
+    publish(front, 200, megabyte);
     assertEquals(EventMailbox.BYTES / megabyte, drained().size());
-    assertEquals(100 - EventMailbox.BYTES / megabyte, input.dropped());
+    assertEquals(200 - EventMailbox.BYTES / megabyte, input.dropped());
     publish(front, 1, (int) EventMailbox.BYTES + 1);
     assertEquals(1, drained().size(), "one always fits");
   }

@@ -87,6 +87,8 @@ class ValueTextTest {
   void isOneShortLineWhateverTheRobotSends() {
     String text = ValueText.of(Samples.log("a\nb\u001b[31m" + "x".repeat(500)));
     assertTrue(text.length() <= 60 && text.chars().noneMatch(Character::isISOControl), text);
+    assertEquals("data '" + "y".repeat(53) + "…",
+        ValueText.of(new Record(Map.of("data", new FieldValue.Text("y".repeat(5000))))));
     Diagnostics.Item bad = new Diagnostics.Item("motor", "", Diagnostics.Level.ERROR, "hot", Map.of());
     assertEquals("1 items, 1 not ok: motor hot", ValueText.of(new Diagnostics(List.of(bad))));
   }

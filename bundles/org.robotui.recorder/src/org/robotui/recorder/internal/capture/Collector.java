@@ -16,6 +16,7 @@ import org.robotui.api.host.InterfaceConfig;
 import org.robotui.api.host.PortAccess;
 import org.robotui.api.host.PortStatus;
 import org.robotui.api.host.Ruic;
+import org.robotui.api.host.RuicSnapshot;
 import org.robotui.api.port.Intake;
 import org.robotui.api.port.PortKind;
 import org.robotui.api.port.SourceId;
@@ -133,9 +134,10 @@ public final class Collector implements AutoCloseable {
       }
     }
     Map<String, String> frameworks = new HashMap<>();
-    ruic.snapshot().components().stream().filter(c -> c.kind() == ComponentStatus.Kind.RFIC)
+    RuicSnapshot now = ruic.snapshot();
+    now.components().stream().filter(c -> c.kind() == ComponentStatus.Kind.RFIC)
         .forEach(c -> frameworks.put(c.id(), c.type()));
-    for (PortStatus port : ruic.snapshot().ports()) {
+    for (PortStatus port : now.ports()) {
       SourceId id = port.port();
       if (port.kind() == PortKind.STREAM && robotOf.containsKey(id.component())
           && ports.mean(id.toString(), id.port(), "/" + id.port())) {

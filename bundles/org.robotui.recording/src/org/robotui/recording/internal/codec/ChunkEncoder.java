@@ -4,12 +4,12 @@ import com.github.luben.zstd.Zstd;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.util.Arrays;
+import java.nio.ByteBuffer;
 import java.util.Optional;
 import net.jpountz.lz4.LZ4FrameOutputStream;
 import org.robotui.recording.ChunkCompression;
 
-/** Compresses chunks of recordings. */
+/** Compresses chunks of recordings. For one thread at a time. */
 public final class ChunkEncoder {
 
   /** As fast as it goes: a recorder runs beside what it records. */
@@ -19,33 +19,49 @@ public final class ChunkEncoder {
 
   private final ChunkCompression compression;
   private final Lz4Library library;
+  private ByteBuffer compressed = ByteBuffer.allocateDirect(0);
 
   public ChunkEncoder(ChunkCompression compression) {
     this.compression = compression;
     library = Lz4Library.load();
   }
 
-  /** Empty where it does not become smaller, so that it is better left as it is. */
-  public Optional<byte[]> encode(byte[] plain, int length) {
-    byte[] smaller = switch (compression) {
+  /**
+   * Empty where it does not become smaller, so that it is better left as it is.
+   *
+   * @param plain outside of the heap
+   * @return valid until the next call
+   */
+  public Optional<ByteBuffer> encode(ByteBuffer plain) {
+    ByteBuffer smaller = switch (compression) {
       case NONE -> plain;
-      case LZ4 -> lz4(plain, length);
-      case ZSTD -> zstd(plain, length);
+      case LZ4 -> lz4(plain);
+      case ZSTD -> zstd(plain);
     };
-    return smaller.length < length ? Optional.of(smaller) : Optional.empty();
+    return smaller.remaining() < plain.remaining() ? Optional.of(smaller) : Optional.empty();
   }
 
-  private static byte[] zstd(byte[] plain, int length) {
-    byte[] out = new byte[(int) Zstd.compressBound(length)];
-    long written = Zstd.compressByteArray(out, 0, out.length, plain, 0, length, ZSTD_LEVEL);
-    return Zstd.isError(written) ? plain : Arrays.copyOf(out, (int) written);
+  private ByteBuffer zstd(ByteBuffer plain) {
+    int bound = (int) Zstd.compressBound(plain.remaining());
+    if (compressed.capacity() < bound) {
+      compressed = ByteBuffer.allocateDirect(bound);
+    }
+    long written = Zstd.compressDirectByteBuffer(compressed, 0, bound, plain, plain.position(), plain.remaining(),
+        ZSTD_LEVEL);
+    return Zstd.isError(written) ? plain : compressed.slice(0, (int) written);
   }
 
-  private byte[] lz4(byte[] plain, int length) {
-    ByteArrayOutputStream out = new ByteArrayOutputStream(length / 2);
+  private ByteBuffer lz4(ByteBuffer plain) {
+    byte[] array = new byte[plain.remaining()];
+    plain.duplicate().get(array);
+    return ByteBuffer.wrap(lz4(array));
+  }
+
+  private byte[] lz4(byte[] plain) {
+    ByteArrayOutputStream out = new ByteArrayOutputStream(plain.length / 2);
     try (LZ4FrameOutputStream frame = new LZ4FrameOutputStream(out, LZ4FrameOutputStream.BLOCKSIZE.SIZE_256KB,
         UNKNOWN_SIZE, library.compressor(), library.sums(), LZ4FrameOutputStream.FLG.Bits.BLOCK_INDEPENDENCE)) {
-      frame.write(plain, 0, length);
+      frame.write(plain, 0, plain.length);
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }

@@ -4,14 +4,27 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.Map;
+import java.util.function.IntFunction;
 
-/** Puts fields one after another, little-endian, into an array that grows. */
+/** Puts fields one after another, little-endian, into memory that grows. */
 public final class PackedBytes {
 
+  private final IntFunction<ByteBuffer> allocate;
   private ByteBuffer bytes;
 
+  /** In an array. */
   public PackedBytes(int room) {
-    bytes = ByteBuffer.allocate(room).order(ByteOrder.LITTLE_ENDIAN);
+    this(room, ByteBuffer::allocate);
+  }
+
+  private PackedBytes(int room, IntFunction<ByteBuffer> allocate) {
+    this.allocate = allocate;
+    bytes = allocate.apply(room).order(ByteOrder.LITTLE_ENDIAN);
+  }
+
+  /** Outside of the heap, from where the system takes bytes without a copy; there is no {@link #array} then. */
+  public static PackedBytes outside(int room) {
+    return new PackedBytes(room, ByteBuffer::allocateDirect);
   }
 
   public PackedBytes u8(int value) {
@@ -86,6 +99,11 @@ public final class PackedBytes {
     return bytes.array();
   }
 
+  /** All bytes, until more is put. */
+  public ByteBuffer view() {
+    return bytes.duplicate().flip();
+  }
+
   public void clear() {
     bytes.clear();
   }
@@ -94,7 +112,7 @@ public final class PackedBytes {
     if (length > bytes.remaining()) {
       int room =
           (int) Math.min(Integer.MAX_VALUE - 8L, Math.max(2L * bytes.capacity(), bytes.position() + (long) length));
-      bytes = ByteBuffer.allocate(room).order(ByteOrder.LITTLE_ENDIAN).put(bytes.flip());
+      bytes = allocate.apply(room).order(ByteOrder.LITTLE_ENDIAN).put(bytes.flip());
     }
     return bytes;
   }

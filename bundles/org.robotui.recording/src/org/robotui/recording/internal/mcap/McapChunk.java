@@ -1,18 +1,18 @@
 package org.robotui.recording.internal.mcap;
 
 import java.nio.ByteBuffer;
-import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import org.robotui.recording.RecordedChannel;
+import org.robotui.recording.RecordingException;
 import org.robotui.recording.internal.codec.ChunkEncoder;
 import org.robotui.recording.internal.io.PackedBytes;
 
 /** The chunk that is being filled. */
 final class McapChunk {
 
-  private final PackedBytes records = new PackedBytes(1 << 16);
+  private final PackedBytes records = PackedBytes.outside(1 << 16);
   private final Map<Integer, PackedBytes> indexes = new TreeMap<>();
   private long start = Long.MAX_VALUE;
   private long end = Long.MIN_VALUE;
@@ -41,29 +41,34 @@ final class McapChunk {
     end = Math.max(end, logTime);
   }
 
-  /** Puts the chunk and its indexes, and answers its entry for the index of the file. */
-  PackedBytes put(PackedBytes out, long offset, ChunkEncoder encoder, String word) {
-    Optional<byte[]> smaller = encoder.encode(records.array(), records.size());
+  /** Writes the chunk and its indexes, and answers its entry for the index of the file. */
+  PackedBytes write(McapFile file, ChunkEncoder encoder, String word) throws RecordingException {
+    SummedBytes plain = SummedBytes.of(records.view());
+    Optional<ByteBuffer> smaller = encoder.encode(plain.bytes());
     String compression = smaller.isPresent() ? word : "";
-    byte[] bytes = smaller.orElse(records.array());
-    int length = smaller.isPresent() ? bytes.length : records.size();
-    out.u8(McapFormat.CHUNK);
-    int record = out.begin(Long.BYTES);
-    times(out).i64(records.size()).u32(McapSource.sum(records.array(), 0, records.size())).text(compression)
-        .i64(length).raw(bytes, 0, length).end(record, Long.BYTES);
-    int chunkEnd = out.size();
-    Map<Integer, Long> places = new HashMap<>();
-    indexes.forEach((channel, index) -> {
-      places.put(channel, offset + out.size());
-      out.u8(McapFormat.MESSAGE_INDEX).i64(Short.BYTES + Integer.BYTES + (long) index.size()).u16(channel)
-          .u32(index.size()).raw(index.array(), 0, index.size());
-    });
+    SummedBytes stored = smaller.map(SummedBytes::of).orElse(plain);
+    PackedBytes head = head(plain, compression, stored.bytes().remaining());
+    long offset = file.position();
+    long chunkEnd = offset + head.size() + stored.bytes().remaining();
     PackedBytes entry = new PackedBytes(128);
-    times(entry).i64(offset).i64(chunkEnd);
+    times(entry).i64(offset).i64(chunkEnd - offset);
+    PackedBytes index = new PackedBytes(256);
     int list = entry.begin(Integer.BYTES);
-    places.forEach((channel, place) -> entry.u16(channel).i64(place));
-    return entry.end(list, Integer.BYTES).i64(out.size() - (long) chunkEnd).text(compression).i64(length)
+    indexes.forEach((channel, times) -> {
+      entry.u16(channel).i64(chunkEnd + index.size());
+      index.u8(McapFormat.MESSAGE_INDEX).i64(Short.BYTES + Integer.BYTES + (long) times.size()).u16(channel)
+          .u32(times.size()).raw(times.view());
+    });
+    file.write(SummedBytes.of(head.view()), stored, SummedBytes.of(index.view()));
+    return entry.end(list, Integer.BYTES).i64(index.size()).text(compression).i64(stored.bytes().remaining())
         .i64(records.size());
+  }
+
+  private PackedBytes head(SummedBytes plain, String compression, int stored) {
+    PackedBytes fields = times(new PackedBytes(64)).i64(plain.bytes().remaining()).u32(plain.sum()).text(compression)
+        .i64(stored);
+    return new PackedBytes(128).u8(McapFormat.CHUNK).i64(fields.size() + (long) stored)
+        .raw(fields.array(), 0, fields.size());
   }
 
   private PackedBytes times(PackedBytes out) {
@@ -72,7 +77,7 @@ final class McapChunk {
 
   /** Puts what is there as it is: without a message there need be no chunk. */
   void putDefinitions(PackedBytes out) {
-    out.raw(records.array(), 0, records.size());
+    out.raw(records.view());
     clear();
   }
 

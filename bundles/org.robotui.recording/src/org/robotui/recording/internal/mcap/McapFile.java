@@ -1,9 +1,10 @@
 package org.robotui.recording.internal.mcap;
 
 import java.io.IOException;
-import java.io.RandomAccessFile;
+import java.nio.ByteBuffer;
+import java.nio.channels.FileChannel;
 import java.nio.file.Path;
-import java.util.zip.CRC32;
+import java.nio.file.StandardOpenOption;
 import org.robotui.recording.RecordingException;
 import org.robotui.recording.internal.io.PackedBytes;
 
@@ -14,34 +15,44 @@ import org.robotui.recording.internal.io.PackedBytes;
 final class McapFile implements AutoCloseable {
 
   private final Path path;
-  private final RandomAccessFile file;
-  private final CRC32 sum = new CRC32();
+  private final FileChannel file;
+  private int sum;
   private long position;
   private boolean failed;
 
-  private McapFile(Path path, RandomAccessFile file) {
+  private McapFile(Path path, FileChannel file) {
     this.path = path;
     this.file = file;
   }
 
   static McapFile create(Path path) throws RecordingException {
     try {
-      RandomAccessFile file = new RandomAccessFile(path.toFile(), "rw");
-      file.setLength(0);
-      return new McapFile(path, file);
+      return new McapFile(path, FileChannel.open(path, StandardOpenOption.CREATE, StandardOpenOption.WRITE,
+          StandardOpenOption.TRUNCATE_EXISTING));
     } catch (IOException e) {
       throw new RecordingException(path, "cannot be written", e);
     }
   }
 
   void write(PackedBytes records) throws RecordingException {
+    write(SummedBytes.of(records.view()));
+  }
+
+  /** Writes whole records that lie in pieces. */
+  void write(SummedBytes... pieces) throws RecordingException {
     if (failed) {
       throw new RecordingException(path, position, "nothing more is written, as something could not be before");
     }
     try {
-      file.write(records.array(), 0, records.size());
-      sum.update(records.array(), 0, records.size());
-      position += records.size();
+      long written = 0;
+      for (SummedBytes each : pieces) {
+        written += each.bytes().remaining();
+        write(each.bytes().duplicate());
+      }
+      for (SummedBytes each : pieces) {
+        sum = JoinedSum.of(sum, each.sum(), each.bytes().remaining());
+      }
+      position += written;
     } catch (IOException e) {
       failed = true;
       takeBack(e);
@@ -49,9 +60,15 @@ final class McapFile implements AutoCloseable {
     }
   }
 
+  private void write(ByteBuffer bytes) throws IOException {
+    while (bytes.hasRemaining()) {
+      file.write(bytes);
+    }
+  }
+
   private void takeBack(IOException cause) {
     try {
-      file.setLength(position);
+      file.truncate(position);
     } catch (IOException e) {
       cause.addSuppressed(e);
     }
@@ -66,12 +83,12 @@ final class McapFile implements AutoCloseable {
   }
 
   /** The checksum of all that was written. */
-  long sum() {
-    return sum.getValue();
+  int sum() {
+    return sum;
   }
 
   void restartSum() {
-    sum.reset();
+    sum = 0;
   }
 
   @Override

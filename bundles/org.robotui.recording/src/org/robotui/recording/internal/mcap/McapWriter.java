@@ -152,10 +152,11 @@ public final class McapWriter implements RecordingWriter {
   private void writeChunk() throws RecordingException {
     if (!chunk.isEmpty()) {
       chunks++;
-      PackedBytes entry = chunk.put(buffer, file.position(), encoder, options.compression().word());
-      chunk.clear();
-      writeBuffer();
-      tail.chunk(entry);
+      try {
+        tail.chunk(chunk.write(file, encoder, options.compression().word()));
+      } finally {
+        chunk.clear();
+      }
     }
   }
 
