@@ -265,8 +265,8 @@ public final class GraphKeeper implements Ros2Graph, DiscoveryListener, AutoClos
   }
 
   /**
-   * Waits until all have heard that there is no node any more. rmw_fastrtps takes what a participant said before as news
-   * where it looks at it after the participant has gone, and keeps its nodes for ever.
+   * Waits until all have heard that there is no node any more. rmw_fastrtps takes what a participant said before as
+   * news where it looks at it after the participant has gone, and keeps its nodes for ever.
    */
   private void awaitHeard() {
     boolean[] heard = {false};
