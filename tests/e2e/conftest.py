@@ -24,15 +24,20 @@ RT_BIN = ROOT / "rt-native/target/release/bin"
 # What tests/README.md names: it takes long and has hardly ever broken alone.
 needs_long = pytest.mark.skipif(os.environ.get("ROBOTUI_LONG") != "1", reason="takes long: ./robotui test --long")
 needs_rt = pytest.mark.skipif(not (RT_BIN / "robotui-rt").exists(), reason="rt-native is not built: ./robotui rt-ctl --help builds it")
+WORKER = int(os.environ.get("PYTEST_XDIST_WORKER", "gw0").removeprefix("gw"))
+
+
+def ros_domain(number):
+    """The domain of ROS 2 of one test file, as tests/README.md has them: another one in each of the processes that run tests side by side."""
+    return int(os.environ.get("ROBOTUI_TEST_DOMAIN", "215")) + 4 * number + WORKER
 
 
 def pytest_configure(config):
     """Each of the processes that run tests side by side has a display of its own."""
-    number = int(os.environ.get("PYTEST_XDIST_WORKER", "gw0").removeprefix("gw"))
     for variable, all_of_them in (("DISPLAY", "ROBOTUI_TEST_DISPLAYS"), ("DBUS_SESSION_BUS_ADDRESS", "ROBOTUI_TEST_BUSES")):
         values = os.environ.get(all_of_them, "").split()
         if values:
-            os.environ[variable] = values[number]
+            os.environ[variable] = values[WORKER]
 
 
 def pytest_runtest_logreport(report):
@@ -47,14 +52,14 @@ def pytest_runtest_logreport(report):
 
 
 def wait_for(condition, seconds=60, what="it"):
-    """Waits until the condition answers something true, and answers that."""
+    """Waits until the condition answers something true, and answers that; what may be asked at the end."""
     end = time.monotonic() + seconds
     while time.monotonic() < end:
         answer = condition()
         if answer:
             return answer
         time.sleep(0.05)
-    raise AssertionError(f"waited {seconds} s for {what}")
+    raise AssertionError(f"waited {seconds} s for {what() if callable(what) else what}")
 
 
 def busy():

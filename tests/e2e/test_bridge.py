@@ -9,11 +9,11 @@ import urllib.request
 
 import pytest
 
-from conftest import ROOT, end, kill_all_of, start_robotui, tell, wait_for
+from conftest import ROOT, end, kill_all_of, ros_domain, start_robotui, tell, wait_for
 
 PEERS = pathlib.Path(__file__).parent / "peers"
 RCLPY = pathlib.Path(os.environ.get("ROBOTUI_ROS2_PEERS", "none")) / "rclpy/bin/python"
-DOMAIN = int(os.environ.get("ROBOTUI_TEST_DOMAIN", "70")) + 12 + int(os.environ.get("PYTEST_XDIST_WORKER", "gw0").removeprefix("gw"))
+DOMAIN = ros_domain(1)
 
 pytestmark = pytest.mark.skipif(not RCLPY.exists(), reason="rclpy is not installed (ROBOTUI_ROS2_PEERS)")
 

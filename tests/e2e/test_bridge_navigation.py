@@ -7,8 +7,8 @@ import subprocess
 
 import pytest
 
-from conftest import end, start_robotui, wait_for
-from test_bridge import DOMAIN, PEERS, RCLPY, line, lines, start_rclpy
+from conftest import end, ros_domain, start_robotui, wait_for
+from test_bridge import PEERS, RCLPY, line, lines, start_rclpy
 
 ROBOTS = {
     "carl": ("carmen", "base_odometry", "robot_frontlaser", "velocity"),
@@ -33,7 +33,7 @@ def config():
 
 @pytest.mark.skipif(not RCLPY.exists(), reason="rclpy is not installed (ROBOTUI_ROS2_PEERS)")
 def test_robots_of_carmen_player_and_yarp_reach_goals_under_nodes_of_rospy_and_rclpy(roscore, tmp_path):
-    roscore.environment |= {"ROS_DOMAIN_ID": str(DOMAIN + 20), "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST"}
+    roscore.environment |= {"ROS_DOMAIN_ID": str(ros_domain(3)), "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST"}
     written = tmp_path / "navigation.yaml"
     written.write_text(config(), encoding="utf-8")
     bridge = start_robotui(roscore, "bridge", written, "--json", name="bridge")

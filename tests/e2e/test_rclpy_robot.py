@@ -5,12 +5,11 @@ import signal
 
 import pytest
 
-from conftest import end, last_of, start_robotui, wait_for
+from conftest import end, last_of, ros_domain, start_robotui, wait_for
 from desktop import Keys, Window, missing
 
 PEERS = pathlib.Path(__file__).parent / "peers"
-# Each of the processes that run tests side by side has a domain of its own.
-DOMAIN = int(os.environ.get("ROBOTUI_TEST_DOMAIN", "70")) + int(os.environ.get("PYTEST_XDIST_WORKER", "gw0").removeprefix("gw"))
+DOMAIN = ros_domain(0)
 CYCLONE = ("<CycloneDDS><Domain><General><AllowMulticast>false</AllowMulticast><Interfaces><NetworkInterface name=\"lo\" multicast=\"false\"/>"
            "</Interfaces></General><Discovery><ParticipantIndex>auto</ParticipantIndex><MaxAutoParticipantIndex>30</MaxAutoParticipantIndex>"
            "<Peers><Peer address=\"127.0.0.1\"/></Peers></Discovery></Domain></CycloneDDS>")
@@ -93,14 +92,14 @@ def test_it_is_taken_up_again_when_it_was_killed_and_started_anew(domain):
 
 def test_closing_leaves_no_trace(domain):
     robot = domain.rclpy("robot")
-    wait_for(lambda: nodes(robot) == ["base"], what="the robot alone")
+    wait_for(lambda: nodes(robot) == ["base"], what=lambda: f"the robot alone; it sees {nodes(robot)}")
     robotui = start_robotui(domain, "run", "--json", "ros2")
     wait_for(lambda: line_of(robotui, "odom", True), seconds=60, what="the odometry")
     wait_for(lambda: len(nodes(robot)) == 2, what="our node")
 
     os.kill(robotui.pid, signal.SIGTERM)
     robotui.wait(60)
-    wait_for(lambda: nodes(robot) == ["base"], what="the former graph")
+    wait_for(lambda: nodes(robot) == ["base"], what=lambda: f"the robot to be alone again; it sees {nodes(robot)}")
     assert not said(robot, "drive"), "nobody drove it"
 
 

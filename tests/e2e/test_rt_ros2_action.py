@@ -6,12 +6,12 @@ import pathlib
 import pytest
 import yaml
 
-from conftest import ROOT, needs_rt, start_robotui, wait_for
+from conftest import ROOT, needs_rt, ros_domain, start_robotui, wait_for
 from realtime import Control, patient_arm
 
 PEERS = pathlib.Path(__file__).parent / "peers"
 RCLPY = pathlib.Path(os.environ.get("ROBOTUI_ROS2_PEERS", "none")) / "rclpy/bin/python"
-DOMAIN = int(os.environ.get("ROBOTUI_TEST_DOMAIN", "70")) + 18 + int(os.environ.get("PYTEST_XDIST_WORKER", "gw0").removeprefix("gw"))
+DOMAIN = ros_domain(2)
 SUCCESSFUL, INVALID_GOAL, INVALID_JOINTS, PATH_TOLERANCE_VIOLATED = 0, -1, -2, -4
 
 GENERATED = any(RCLPY.parent.parent.glob("lib/python3*/site-packages/control_msgs/made"))

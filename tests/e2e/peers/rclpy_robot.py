@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
 """A robot of rclpy: laser, odometry, map, battery, log and a parameter; it drives as it is told, until it is killed.
 
-It says on standard output what it hears, and once a second which nodes it sees.
+It says on standard output what it hears, and once a second which nodes it sees. With --numbers it sends 100 poses a second, reliably, whose stamps are 0.01 s
+apart, whenever it sends them.
 """
 import contextlib
 import math
+import sys
 
 import rclpy
 from geometry_msgs.msg import PoseStamped, PoseWithCovarianceStamped, Twist
@@ -47,6 +49,10 @@ class Base:
         self.maps.publish(self.map())
         self.descriptions.publish(String(data="<robot name='base'><link name='base_link'/></robot>"))
         self.node.create_timer(PERIOD, self.tick)
+        if "--numbers" in sys.argv:
+            self.numbers = self.node.create_publisher(PoseStamped, "numbers", QoSProfile(depth=1000))
+            self.count = 0
+            self.node.create_timer(0.01, self.number)
 
     def now(self):
         return self.node.get_clock().now()
@@ -80,6 +86,12 @@ class Base:
         if self.ticks % 10 == 0:
             self.node.get_logger().warning(f"at {self.x:.2f}")
             say("nodes", *sorted(self.node.get_node_names()))
+
+    def number(self):
+        self.count += 1
+        pose = PoseStamped()
+        pose.header.stamp.sec, pose.header.stamp.nanosec = self.count // 100, self.count % 100 * 10_000_000
+        self.numbers.publish(pose)
 
     def stamped(self, message, frame):
         message.header.stamp = self.now().to_msg()

@@ -14,6 +14,7 @@ import org.robotui.rtps.WriterStatistics;
 final class FakeWriter extends FakeEndpoint implements Writer {
 
   private long sequence;
+  private long awaited;
   private Optional<Sample> last = Optional.empty();
 
   FakeWriter(FakeParticipant participant, EndpointInfo info) {
@@ -44,7 +45,18 @@ final class FakeWriter extends FakeEndpoint implements Writer {
   }
 
   @Override
-  public boolean awaitAcknowledged(Duration timeout) {
+  public void assertLiveliness() {
+    throw new UnsupportedOperationException("nobody watches here");
+  }
+
+  /** Up to which sample its writer has waited for all to have it. */
+  synchronized long awaited() {
+    return awaited;
+  }
+
+  @Override
+  public synchronized boolean awaitAcknowledged(Duration timeout) {
+    awaited = sequence;
     return true;
   }
 

@@ -27,7 +27,9 @@ import org.robotui.message.ros.std_srvs.SetBoolResponse;
 import org.robotui.net.call.Outcome;
 import org.robotui.ros2.graph.GraphService;
 import org.robotui.ros2.graph.GraphTopic;
+import org.robotui.ros2.internal.graph.EntitiesCodec;
 import org.robotui.ros2.name.Ros2Name;
+import org.robotui.rtps.Sample;
 import org.robotui.rtps.VendorId;
 
 /** Nodes of several contexts in a domain without a network. */
@@ -57,6 +59,19 @@ class NodesTest {
     publisher.publish(new StdString("hello"));
     assertEquals("/talker hello false", heard.poll(5, TimeUnit.SECONDS));
     assertEquals(1, subscriber.received());
+  }
+
+  @Test
+  void aContextEndsWhenAllHaveHeardThatItsNodesAreGone() throws Exception {
+    Ros2Context leaving = domain.context();
+    leaving.node("talker");
+    FakeWriter graph = ((FakeParticipant) leaving.participant()).endpoints.stream()
+        .filter(FakeWriter.class::isInstance).map(FakeWriter.class::cast)
+        .filter(writer -> writer.info().topic().equals("ros_discovery_info")).findFirst().orElseThrow();
+    leaving.close();
+    Sample last = graph.last().orElseThrow();
+    assertEquals(List.of(), EntitiesCodec.decode(last.payload()).entities().nodes());
+    assertEquals(last.sequence(), graph.awaited());
   }
 
   @Test

@@ -38,7 +38,7 @@ import org.robotui.ros2.parameter.Ros2Parameters;
 /** With a robot of ROS 2 that is not ours. */
 class RclpyTest {
 
-  private static final int DOMAIN = 60 + (int) (ProcessHandle.current().pid() % 40);
+  private static final int DOMAIN = 161 + (int) (ProcessHandle.current().pid() % 10);
   private static final Duration LONG = Duration.ofSeconds(20);
   private static final Ros2Name BASE = Ros2Name.of("/robot/base");
   private static final Ros2ServiceCodec<SetBoolRequest, SetBoolResponse> SET_BOOL =

@@ -44,6 +44,13 @@ public interface Writer extends Endpoint {
   }
 
   /**
+   * Says to all reliable readers that this writer is alive, as {@link Liveliness#MANUAL_BY_TOPIC} demands within the
+   * lease of its quality of service. Writing a sample says it as well; for {@link Liveliness#AUTOMATIC} the participant
+   * does, by itself. Does not block.
+   */
+  void assertLiveliness();
+
+  /**
    * Blocks until all reliable readers have acknowledged what was written before this call.
    *
    * @param timeout no longer than this

@@ -22,7 +22,7 @@ import org.junit.jupiter.api.Test;
 class ParticipantTest {
 
   /** Not that of another run of these tests on the same machine. */
-  private static final int DOMAIN = 40 + (int) (ProcessHandle.current().pid() % 50);
+  private static final int DOMAIN = 102 + (int) (ProcessHandle.current().pid() % 20);
   private static final Duration SOON = Duration.ofSeconds(30);
   private static final Qos RELIABLE = Qos.reliable(100);
 

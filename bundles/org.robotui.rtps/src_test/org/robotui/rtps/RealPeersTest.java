@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.Executors;
+import java.util.concurrent.locks.LockSupport;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -20,7 +21,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 class RealPeersTest {
 
   private static final Duration SOON = Duration.ofSeconds(30);
-  private static final int DOMAIN = 100 + (int) (ProcessHandle.current().pid() % 50);
+  private static final int DOMAIN = 130 + (int) (ProcessHandle.current().pid() % 20);
   private static final Qos RELIABLE = Qos.reliable(100);
 
   private final Heard heard = new Heard();
@@ -152,6 +153,41 @@ class RealPeersTest {
           reasons.stream().anyMatch(each -> each.startsWith("not heard for its lease")) || reader.matched().isEmpty(),
           () -> "" + reasons);
     }
+  }
+
+  @ParameterizedTest
+  @EnumSource
+  void deadlinesAndLivelinessAreWatchedBothWays(RealPeer.Vendor vendor) throws Exception {
+    Qos watched = RELIABLE.withTimes(Duration.ofMillis(500), Qos.INFINITE)
+        .with(Liveliness.MANUAL_BY_TOPIC, Duration.ofSeconds(1));
+    try (RealPeer peer = peer(vendor, "reliable", "volatile", "10:500:1000"); Participant us = participant()) {
+      Reader reader = reader(us, watched);
+      Writer writer = writer(us, watched);
+      Reader demanding = reader(us, watched.withTimes(Duration.ofMillis(100), Qos.INFINITE));
+      awaitMatched(reader, writer);
+      peer.meet(1, 1);
+      peer.write(3, 10, 0.05);
+      writer.write(Heard.string("j1"));
+      Heard.await(SOON, () -> peer.said("alive 1").size() == 1, peer::toString);
+      Heard.await(SOON, () -> !peer.said("late").isEmpty() && !peer.said("alive 0").isEmpty(), peer::toString);
+      Heard.await(SOON, () -> keepsAlive(writer, peer), peer::toString);
+      Heard.await(SOON,
+          () -> reader.statistics().deadlinesMissed() > 0 && reader.statistics().livelinessLost() > 0,
+          reader.statistics()::toString);
+      assertEquals(List.of("the writer offers a deadline of 500 ms, the reader asks for a deadline of 100 ms"),
+          demanding.mismatches().getFirst().reasons());
+    }
+  }
+
+  /** For twice the lease; whether the peer has seen that, which a busy machine may prevent. */
+  private static boolean keepsAlive(Writer writer, RealPeer peer) {
+    writer.write(Heard.string("j"));
+    int lost = peer.said("alive 0").size();
+    for (int i = 0; i < 40; i++) {
+      writer.assertLiveliness();
+      LockSupport.parkNanos(50_000_000);
+    }
+    return peer.said("alive 0").size() == lost && peer.said("alive").getLast().equals("alive 1");
   }
 
   @ParameterizedTest

@@ -4,7 +4,7 @@ import threading
 import time
 from dataclasses import dataclass
 
-from cyclonedds.core import Policy, Qos
+from cyclonedds.core import Listener, Policy, Qos
 from cyclonedds.domain import DomainParticipant
 from cyclonedds.idl import IdlStruct
 from cyclonedds.pub import DataWriter
@@ -26,7 +26,18 @@ def say(*words):
         print(*words, flush=True)
 
 
+class Watching(Listener):
+
+    def on_requested_deadline_missed(self, reader, status):
+        say("late")
+
+    def on_liveliness_changed(self, reader, status):
+        say("alive", status.alive_count)
+
+
 def quality(reliability, durability, history):
+    history, *times = history.split(":")
+    watched = [Policy.Deadline(duration(milliseconds=int(times[0]))), Policy.Liveliness.ManualByTopic(duration(milliseconds=int(times[1])))] if times else []
     kept = Policy.History.KeepAll if history == "all" else Policy.History.KeepLast(int(history))
     return Qos(
         Policy.Reliability.Reliable(duration(milliseconds=100)) if reliability == "reliable" else Policy.Reliability.BestEffort,
@@ -34,7 +45,8 @@ def quality(reliability, durability, history):
         kept,
         # of what was written before, late readers get what this says
         Policy.DurabilityService(0, kept, -1, -1, -1),
-        Policy.DataRepresentation(use_cdrv0_representation=True))
+        Policy.DataRepresentation(use_cdrv0_representation=True),
+        *watched)
 
 
 def write(writer, count, size, period):
@@ -69,7 +81,7 @@ def listen(reader):
 def main():
     participant = DomainParticipant(int(sys.argv[4]))
     qos = quality(*sys.argv[1:4])
-    reader = DataReader(participant, Topic(participant, "rt/" + sys.argv[5], Text), qos=qos)
+    reader = DataReader(participant, Topic(participant, "rt/" + sys.argv[5], Text), qos=qos, listener=Watching() if ":" in sys.argv[3] else None)
     writer = DataWriter(participant, Topic(participant, "rt/" + sys.argv[6], Text), qos=qos)
     threading.Thread(target=listen, args=(reader,), daemon=True).start()
     say("ready")

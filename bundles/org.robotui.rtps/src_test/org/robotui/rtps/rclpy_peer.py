@@ -1,7 +1,8 @@
 """A node of ROS 2 for tests: a topic in, a topic out, as told on standard input; says on standard output what it hears.
 
-Arguments: reliability (reliable, best_effort), durability (volatile, transient_local), history (a depth, or all), domain,
-the topic that it hears, and the one that it writes.
+Arguments: reliability (reliable, best_effort), durability (volatile, transient_local), history (a depth, or all; with :DEADLINE:LEASE
+in milliseconds, liveliness is by topic, and it prints "late" and "alive COUNT" of the writers that it hears), domain, the topic
+that it hears, and the one that it writes.
     meet WRITERS READERS        waits until it hears so many writers, and so many readers hear it, and prints "met"
     write COUNT SIZE PERIOD     writes so many strings of so many characters, one in each period (seconds)
     end                         ends in order
@@ -12,8 +13,10 @@ import threading
 import time
 
 import rclpy
+from rclpy.duration import Duration
+from rclpy.event_handler import SubscriptionEventCallbacks
 from rclpy.executors import SingleThreadedExecutor
-from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile, ReliabilityPolicy
+from rclpy.qos import DurabilityPolicy, HistoryPolicy, LivelinessPolicy, QoSProfile, ReliabilityPolicy
 from std_msgs.msg import String
 
 
@@ -25,11 +28,18 @@ def say(*words):
         print(*words, flush=True)
 
 
+WATCHING = SubscriptionEventCallbacks(deadline=lambda event: say("late"), liveliness=lambda event: say("alive", event.alive_count))
+
+
 def quality(reliability, durability, history):
+    history, *times = history.split(":")
     keeps_all = history == "all"
+    deadline, lease = (Duration(nanoseconds=int(time) * 1_000_000) for time in times) if times else (Duration(), Duration())
     return QoSProfile(
         reliability=ReliabilityPolicy[reliability.upper()], durability=DurabilityPolicy[durability.upper()],
-        history=HistoryPolicy.KEEP_ALL if keeps_all else HistoryPolicy.KEEP_LAST, depth=0 if keeps_all else int(history))
+        history=HistoryPolicy.KEEP_ALL if keeps_all else HistoryPolicy.KEEP_LAST, depth=0 if keeps_all else int(history),
+        deadline=deadline, liveliness=LivelinessPolicy.MANUAL_BY_TOPIC if times else LivelinessPolicy.SYSTEM_DEFAULT,
+        liveliness_lease_duration=lease)
 
 
 def write(publisher, count, size, period):
@@ -57,7 +67,8 @@ def main():
     rclpy.init()
     node = rclpy.create_node("peer", enable_rosout=False, start_parameter_services=False)
     qos = quality(*sys.argv[1:4])
-    subscription = node.create_subscription(String, sys.argv[5], lambda message: say("heard", message.data.split(" ")[0], len(message.data)), qos)
+    subscription = node.create_subscription(String, sys.argv[5], lambda message: say("heard", message.data.split(" ")[0], len(message.data)), qos,
+                                            event_callbacks=WATCHING if ":" in sys.argv[3] else None)
     publisher = node.create_publisher(String, sys.argv[6], qos)
     executor = SingleThreadedExecutor()
     executor.add_node(node)

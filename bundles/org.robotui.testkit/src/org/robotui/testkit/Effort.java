@@ -32,11 +32,12 @@ public final class Effort {
    * The effort of one test, beginning now.
    *
    * @param everyday rounds in any run
-   * @param longRun how long to go on in long runs
+   * @param longRun how long to go on in long runs, where {@code ROBOTUI_LONG_MINUTES} does not say it
    * @return nothing tried yet
    */
   public static Effort of(int everyday, Duration longRun) {
-    return new Effort(everyday, longRun);
+    String minutes = System.getenv("ROBOTUI_LONG_MINUTES");
+    return new Effort(everyday, minutes == null ? longRun : Duration.ofMinutes(Long.parseLong(minutes)));
   }
 
   /**

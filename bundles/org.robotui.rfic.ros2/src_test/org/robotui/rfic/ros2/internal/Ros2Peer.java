@@ -22,7 +22,7 @@ import org.robotui.testkit.rfic.Sample;
 /** A robot of ROS 2 in a process of its own: see {@link RobotProcess}. */
 final class Ros2Peer extends ProcessPeer {
   /** Tests that run at the same time keep apart. */
-  static final int DOMAIN = 2 + (int) (ProcessHandle.current().pid() % 38);
+  static final int DOMAIN = 181 + (int) (ProcessHandle.current().pid() % 20);
   private static final Optional<Stamp> MEASURED = Optional.of(new Stamp(RobotProcess.STAMP, ClockKind.ROBOT));
   private static final Sample POSE = new Sample("odom", new Odometry(new FrameId("robby", "odom"),
       new FrameId("robby", "base_link"), new RigidTransform(new Vector3(2, -1, 0.5), Quaternion.fromYaw(0.2)),

@@ -1,6 +1,7 @@
 package org.robotui.ros2.internal.graph;
 
 import java.nio.ByteBuffer;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -9,6 +10,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import org.robotui.message.MessageException;
 import org.robotui.message.description.TypeHash;
 import org.robotui.net.log.LogThrottle;
+import org.robotui.net.thread.Uninterruptibles;
 import org.robotui.ros2.QosProfiles;
 import org.robotui.ros2.graph.GraphNode;
 import org.robotui.ros2.graph.GraphState;
@@ -33,6 +35,9 @@ public final class GraphKeeper implements Ros2Graph, DiscoveryListener, AutoClos
   private static final Logger LOG = LoggerFactory.getLogger(GraphKeeper.class);
   private static final String TOPIC = "ros_discovery_info";
   private static final String TYPE = "rmw_dds_common::msg::dds_::ParticipantEntitiesInfo_";
+
+  /** Whoever has been killed or stopped does not hold up the end for longer. */
+  private static final Duration LAST_WORD = Duration.ofSeconds(2);
 
   private final Participant participant;
   private final KnownEnds known = new KnownEnds();
@@ -254,7 +259,21 @@ public final class GraphKeeper implements Ros2Graph, DiscoveryListener, AutoClos
   @Override
   public void close() {
     participant.discovery().removeListener(this);
+    awaitHeard();
     reader.close();
     writer.close();
+  }
+
+  /**
+   * Waits until all have heard that there is no node any more. rmw_fastrtps takes what a participant said before as
+   * news where it looks at it after the participant has gone, and keeps its nodes for ever.
+   */
+  private void awaitHeard() {
+    boolean[] heard = {false};
+    Uninterruptibles.await(System.nanoTime() + LAST_WORD.toNanos(),
+        nanos -> heard[0] = writer.awaitAcknowledged(Duration.ofNanos(Math.max(0, nanos))));
+    if (!heard[0]) {
+      LOG.debug("somebody has not acknowledged within {} that the nodes are gone", LAST_WORD);
+    }
   }
 }

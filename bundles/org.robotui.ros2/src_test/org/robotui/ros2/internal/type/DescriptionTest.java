@@ -27,7 +27,7 @@ import org.robotui.rtps.Participant;
 /** Asks a robot that is not ours what its messages are. */
 class DescriptionTest {
 
-  private static final int DOMAIN = 60 + (int) (ProcessHandle.current().pid() % 40);
+  private static final int DOMAIN = 171 + (int) (ProcessHandle.current().pid() % 10);
   private static final Ros2Name BATTERY = Ros2Name.of("/robot/battery");
   private static final TypeName TYPE = TypeName.parse("sensor_msgs/msg/BatteryState").orElseThrow();
 

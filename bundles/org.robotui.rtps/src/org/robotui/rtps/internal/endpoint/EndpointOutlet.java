@@ -21,6 +21,9 @@ public interface EndpointOutlet {
     /** What a writer has. */
     void heartbeat(EntityId reader, EntityId writer, long first, long last, int count, boolean answer);
 
+    /** The same of a writer whose application says that it is alive; nobody has to answer. */
+    void alive(EntityId reader, EntityId writer, long first, long last, int count);
+
     /** Numbers of a writer that never come: from the start to the base of the set, and those in it. */
     void gap(EntityId reader, EntityId writer, long start, SequenceSet set);
 

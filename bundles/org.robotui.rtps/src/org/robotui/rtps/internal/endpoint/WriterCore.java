@@ -170,8 +170,11 @@ public final class WriterCore {
   }
 
   private void ask(EndpointOutlet.Batch batch, RemoteReader reader) {
-    long first = Math.max(reader.start(), cache.first(last + 1));
-    beat(batch, reader.info().guid().entity(), Math.min(first, last + 1), true);
+    beat(batch, reader.info().guid().entity(), firstFor(reader), true);
+  }
+
+  private long firstFor(RemoteReader reader) {
+    return Math.min(Math.max(reader.start(), cache.first(last + 1)), last + 1);
   }
 
   /** Writes to it no more. */
@@ -260,9 +263,13 @@ public final class WriterCore {
     return any;
   }
 
-  /** Says that it is there, as its liveliness demands. */
+  /** Says that it is alive, as liveliness by topic demands of whoever has nothing to write. */
   public synchronized void assertAlive() {
-    readers.values().stream().filter(RemoteReader::reliable).forEach(this::greet);
+    readers.values().stream().filter(RemoteReader::reliable).forEach(reader -> {
+      try (EndpointOutlet.Batch batch = outlet.to(reader.destination())) {
+        batch.alive(reader.info().guid().entity(), self, firstFor(reader), last, counts.incrementAndGet());
+      }
+    });
   }
 
   /** Blocks until all that was written is acknowledged by all, or a time has passed. */

@@ -80,6 +80,11 @@ final class LocalWriter extends LocalEndpoint implements Writer {
   }
 
   @Override
+  public void assertLiveliness() {
+    core.assertAlive();
+  }
+
+  @Override
   public boolean awaitAcknowledged(Duration timeout) throws InterruptedException {
     return core.awaitAcknowledged(timeout);
   }

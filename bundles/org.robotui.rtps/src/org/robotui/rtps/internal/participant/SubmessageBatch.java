@@ -44,6 +44,11 @@ abstract class SubmessageBatch implements EndpointOutlet.Batch {
   }
 
   @Override
+  public final void alive(EntityId reader, EntityId writer, long first, long last, int count) {
+    say(new Submessage.Heartbeat(reader, writer, first, last, count, true, true), Sample.NO_TIME);
+  }
+
+  @Override
   public final void gap(EntityId reader, EntityId writer, long start, SequenceSet set) {
     say(new Submessage.Gap(reader, writer, start, set), Sample.NO_TIME);
   }

@@ -188,6 +188,11 @@ final class LossyLink {
     }
 
     @Override
+    public void alive(EntityId reader, EntityId writer, long first, long last, int count) {
+      add(32, () -> toReaders(reader, (guid, core) -> core.heartbeat(self(writer), first, last, false, true)));
+    }
+
+    @Override
     public void gap(EntityId reader, EntityId writer, long start, SequenceSet set) {
       add(60, () -> toReaders(reader, (guid, core) -> core.gap(self(writer), start, set)));
     }

@@ -33,11 +33,12 @@ import org.robotui.rtps.internal.wire.SequenceSet;
 import org.robotui.rtps.internal.wire.Submessage;
 import org.robotui.testkit.ByteMutator;
 import org.robotui.testkit.Effort;
+import org.slf4j.LoggerFactory;
 
 /** A peer that means no good: what it costs is bounded, and an honest one is heard before, meanwhile and afterwards. */
 class HostilePeerTest {
 
-  private static final int DOMAIN = 91;
+  private static final int DOMAIN = 122 + (int) (ProcessHandle.current().pid() % 8);
 
   private static final String TOPIC = "rt/topic";
 
@@ -144,21 +145,42 @@ class HostilePeerTest {
     return entity;
   }
 
+  /** What the recorded programs write and read, so that what they say reaches readers and writers here. */
+  private void endpointsOfTheRecordedPrograms() {
+    for (Qos qos : List.of(Qos.reliable(10), Qos.bestEffort(10))) {
+      for (String topic : List.of("rt/chatter", "rt/latched")) {
+        victim.reader(topic, "std_msgs::msg::dds_::String_", qos, NO_QOS, sample -> {});
+      }
+      victim.reader("rt/blob", "test::Blob_", qos, NO_QOS, sample -> {});
+      victim.reader("rt/image", "sensor_msgs::msg::dds_::Image_", qos, NO_QOS, sample -> {});
+    }
+    Writer ours = victim.writer("rt/chatter", "std_msgs::msg::dds_::String_", Qos.reliable(10), NO_QOS);
+    ours.write(ByteBuffer.allocate(8).putInt(0x00010000).flip());
+  }
+
+  private void honestIsHeardAnew() throws InterruptedException {
+    honestIsHeard();
+    heard.clear();
+    said = 0;
+  }
+
   @Test
   void damaged_messages_of_all_kinds() throws Exception {
     badWriter(reader);
+    endpointsOfTheRecordedPrograms();
     ByteMutator mutator = new ByteMutator(Effort.seed() + 7);
-    List<byte[]> good = Stream.of(Recorded.values()).flatMap(vendor -> vendor.datagrams().stream())
-        .filter(each -> each.length < MOST_BYTES).toList();
-    for (int i = 0; i < Effort.rounds(10_000); i++) {
+    List<byte[]> good =
+        Stream.of(Recorded.values()).flatMap(vendor -> vendor.toAll(MOST_BYTES, DOMAIN).stream()).toList();
+    for (Effort effort = Effort.of(10_000, Duration.ofMinutes(5)); effort.goesOn();) {
       bad.raw(mutator.mutate(good.get(mutator.random().nextInt(good.size()))));
-      if (i % 500 == 0) {
-        say();
+      if (effort.rounds() % 500 == 0) {
+        honestIsHeardAnew();
       }
     }
     honestIsHeard();
     costsAtMost(30);
     assertTrue(victim.statistics().damaged() > 100, victim.statistics()::toString);
+    LoggerFactory.getLogger(HostilePeerTest.class).info("{}", victim.statistics());
   }
 
   private static Submessage.DataFrag fragment(EntityId from, long sequence, long first, long sampleSize, int bytes) {

@@ -25,6 +25,8 @@ class HostileMessagesTest {
 
   private static final int MOST_BYTES = 2000;
 
+  private static final int DOMAIN = 3;
+
   private int parts;
 
   private int refused;
@@ -68,26 +70,11 @@ class HostileMessagesTest {
     }
   }
 
-  /** To all, so that every part is read. */
-  private static List<byte[]> toAll(Recorded peer) {
-    List<byte[]> all = peer.datagrams().stream().filter(datagram -> datagram.length < MOST_BYTES).toList();
-    for (byte[] datagram : all) {
-      for (int at = 20; at + 4 <= datagram.length;) {
-        int length = Short.toUnsignedInt(ByteBuffer.wrap(datagram).order(ByteOrder.LITTLE_ENDIAN).getShort(at + 2));
-        if (datagram[at] == SubmessageId.INFO_DST) {
-          Arrays.fill(datagram, at + 4, at + 16, (byte) 0);
-        }
-        at += length == 0 && datagram[at] != SubmessageId.INFO_TS ? datagram.length : 4 + length;
-      }
-    }
-    return all;
-  }
-
   @ParameterizedTest
   @EnumSource
   void messages_may_end_anywhere(Recorded peer) {
     int cuts = 0;
-    for (byte[] datagram : toAll(peer)) {
+    for (byte[] datagram : peer.toAll(MOST_BYTES, DOMAIN)) {
       for (int length = 0; length < datagram.length; length++) {
         read(Arrays.copyOf(datagram, length));
         cuts++;
@@ -100,7 +87,7 @@ class HostileMessagesTest {
   @EnumSource
   void messages_may_be_damaged_anyhow(Recorded peer) {
     ByteMutator mutator = new ByteMutator(Effort.seed() + peer.ordinal());
-    List<byte[]> all = toAll(peer);
+    List<byte[]> all = peer.toAll(MOST_BYTES, DOMAIN);
     Effort effort = Effort.of(60_000, Duration.ofMinutes(5));
     while (effort.goesOn()) {
       read(mutator.mutate(all.get(mutator.random().nextInt(all.size()))));

@@ -34,7 +34,7 @@ import org.robotui.ros2.Ros2SubscriberOptions;
 
 /** Recordings of ROS 2 reach a node of ROS 2 as they are. */
 class Ros2SenderTest {
-  private static final int DOMAIN = 41 + (int) (ProcessHandle.current().pid() % 38);
+  private static final int DOMAIN = 201 + (int) (ProcessHandle.current().pid() % 14);
   private static final RecordingPart ALL = new RecordingPart(RecordingInterval.ALWAYS, channel -> true);
   private static final ThreadFactory DAEMONS = task -> {
     Thread thread = new Thread(task);
