@@ -67,6 +67,7 @@ RtStatus CartesianMotion::on_start(double /*time*/) noexcept {
   updateModel();
   at_ = tip();
   path_.rest(at_);
+  progress_.begin();
   if (!first_pose_.empty()) path_.setTarget(first_pose_.data(), static_cast<int>(first_pose_.size()));
   return RtStatus::ok();
 }
@@ -148,17 +149,25 @@ RtStatus CartesianMotion::control_loop(double /*time*/, double period) noexcept 
   integrate(period);
   updateModel();
   at_ = tip();
-  const bool there = poseDifference(at_, path_.target()).cwiseAbs().maxCoeff() < kThere;
-  status_ = there ? "at the target" : held ? "a joint is at its limit" : "moving";
+  progress_.look(poseDifference(at_, path_.target()), speeds_, period);
+  status_ = statusNow(held);
   return RtStatus::ok();
+}
+
+std::string_view CartesianMotion::statusNow(bool is_held) const noexcept {
+  if (poseDifference(at_, path_.target()).cwiseAbs().maxCoeff() < kThere) return "at the target";
+  if (!progress_.isStuck()) return is_held ? "a joint is at its limit" : "moving";
+  return is_held ? "it cannot go on: a joint is at its limit"
+                 : "it cannot go on: it is at the end of its reach, or in a singular posture";
 }
 
 void CartesianMotion::on_stop(double /*time*/) noexcept { status_ = "stopped"; }
 
 bool CartesianMotion::on_command(std::string_view words) {
   double numbers[6] = {};
+  progress_.begin();
   if (words == "stop") {
-    path_.rest(at_);
+    path_.stop(at_, speeds_);
     return true;
   }
   if (words.starts_with("pose ")) return path_.setTarget(numbers, readNumbers(words.substr(5), numbers, 6));

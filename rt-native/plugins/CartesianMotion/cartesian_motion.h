@@ -6,6 +6,7 @@
 
 #include "robotui/rt/plugin/control_plugin.h"
 #include "straight_path.h"
+#include "target_progress.h"
 
 namespace robotui::rt::plugins {
 
@@ -38,6 +39,7 @@ class CartesianMotion final : public ControlPlugin {
   bool holdAtLimits(double period) noexcept;
   void limitVelocities() noexcept;
   void integrate(double period) noexcept;
+  std::string_view statusNow(bool is_held) const noexcept;
 
   std::unique_ptr<ModelInterface> model_;
   LinkId base_;
@@ -50,6 +52,7 @@ class CartesianMotion final : public ControlPlugin {
   double damping_ = 0.02;
   std::vector<double> first_pose_;
   StraightPath path_;
+  TargetProgress progress_;
   Eigen::Isometry3d at_ = Eigen::Isometry3d::Identity();
   std::string_view status_ = "stopped";
 };

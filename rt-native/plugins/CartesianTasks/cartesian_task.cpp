@@ -8,19 +8,13 @@
 namespace robotui::rt::plugins {
 namespace {
 
-constexpr double kGain = 10;       // 1/s, with which an error of the frame decays
-constexpr double kThere = 1e-3;    // m and rad
-constexpr double kBraking = 0.2;   // s in which the path comes to rest at its target
-constexpr double kSlowest = 0.02;  // of its speed, with which the path arrives
+constexpr double kGain = 10;     // 1/s, with which an error of the frame decays
+constexpr double kThere = 1e-3;  // m and rad
 
 LinkId findLink(const ModelInterface& model, const std::string& name) {
   const LinkId link = model.findLink(name);
   if (!link.isValid()) throw std::runtime_error("the robot has no link '" + name + "'");
   return link;
-}
-
-double slowed(double most, double rest) noexcept {
-  return std::clamp(std::sqrt(2 * most / kBraking * rest), kSlowest * most, most);
 }
 
 Eigen::Vector3d shortened(const Eigen::Vector3d& vector, double most) noexcept {
@@ -62,17 +56,28 @@ void CartesianTask::update(const ModelInterface& model) noexcept {
   }
 }
 
-void CartesianTask::rest() noexcept {
+void CartesianTask::beginPath() noexcept {
   seconds_left_ = 0;
+  progress_.begin();
+}
+
+void CartesianTask::rest() noexcept {
+  beginPath();
   path_.rest(at_);
+}
+
+void CartesianTask::stop() noexcept {
+  beginPath();
+  path_.stop(at_, description_.speeds);
 }
 
 void CartesianTask::setVelocity(const Twist& velocity) noexcept {
   velocity_ << shortened(velocity.head<3>(), description_.speeds.linear),
       shortened(velocity.tail<3>(), description_.speeds.angular);
   velocity_ = masked(velocity_);
-  if (seconds_left_ <= 0) path_.rest(at_);
+  if (seconds_left_ <= 0) path_.stop(at_, description_.speeds);
   seconds_left_ = description_.timeout;
+  progress_.begin();
 }
 
 Twist CartesianTask::masked(Twist twist) const noexcept {
@@ -82,17 +87,15 @@ Twist CartesianTask::masked(Twist twist) const noexcept {
   return twist;
 }
 
-SpeedLimits CartesianTask::speedsNow() const noexcept {
-  const Twist rest = masked(poseDifference(path_.now(), path_.target()));
-  return {slowed(description_.speeds.linear, rest.head<3>().norm()),
-          slowed(description_.speeds.angular, rest.tail<3>().norm())};
-}
-
 void CartesianTask::put(double period, Eigen::Ref<Eigen::MatrixXd> rows, Eigen::Ref<Eigen::VectorXd> wanted) noexcept {
   const Twist behind = masked(poseDifference(at_, path_.now()));
   const bool is_led = isLedByVelocity();
-  const Twist along = is_led ? path_.follow(behind, velocity_, period) : path_.advance(behind, speedsNow(), period);
-  if (is_led) seconds_left_ -= period;
+  const Twist along = is_led ? path_.follow(behind, velocity_, description_.speeds, period)
+                             : path_.advance(behind, description_.speeds, period);
+  if (is_led)
+    seconds_left_ -= period;
+  else
+    progress_.look(toTarget(), description_.speeds, period);
   const Twist twist = along + kGain * masked(poseDifference(at_, path_.now()));
   Eigen::Index row = 0;
   for (Eigen::Index i = 0; i < 6; ++i) {

@@ -7,6 +7,7 @@
 
 #include "robotui/rt/robot/model_interface.h"
 #include "straight_path.h"
+#include "target_progress.h"
 
 namespace robotui::rt::plugins {
 
@@ -33,10 +34,13 @@ class CartesianTask {
 
   // Looks where its frames are.
   void update(const ModelInterface& model) noexcept;
-  // Stays where it is.
+  // Stays where it is, from this cycle on.
   void rest() noexcept;
+  // Brakes, and stays where it is then.
+  void stop() noexcept;
   StraightPath& path() noexcept { return path_; }
-  void endVelocity() noexcept { seconds_left_ = 0; }
+  // Before another target is given to the path.
+  void beginPath() noexcept;
   // In the axes of the base; within the limits of its speed.
   void setVelocity(const Twist& velocity) noexcept;
 
@@ -45,6 +49,8 @@ class CartesianTask {
   void put(double period, Eigen::Ref<Eigen::MatrixXd> rows, Eigen::Ref<Eigen::VectorXd> wanted) noexcept;
 
   bool isThere() const noexcept;
+  // It has not come nearer to its target for a second.
+  bool isStuck() const noexcept { return !isLedByVelocity() && !isThere() && progress_.isStuck(); }
   bool isLedByVelocity() const noexcept { return seconds_left_ > 0; }
   // m and rad, of what its mask has.
   double metres() const noexcept { return toTarget().head<3>().norm(); }
@@ -53,7 +59,6 @@ class CartesianTask {
  private:
   Twist masked(Twist twist) const noexcept;
   Twist toTarget() const noexcept { return masked(poseDifference(at_, path_.target())); }
-  SpeedLimits speedsNow() const noexcept;
 
   TaskDescription description_;
   LinkId link_;
@@ -62,6 +67,7 @@ class CartesianTask {
   Eigen::Index rows_ = 0;
   bool is_active_;
   StraightPath path_;
+  TargetProgress progress_;
   Twist velocity_ = Twist::Zero();
   double seconds_left_ = 0;
   Eigen::Isometry3d at_ = Eigen::Isometry3d::Identity();

@@ -94,7 +94,7 @@ void CartesianTasks::solveTasks(double period) noexcept {
 
 // Why a task does not move as it wants, by what holds the joints back.
 void CartesianTasks::findHindrance(Task& task, const LevelOutcome& outcome, bool is_first) noexcept {
-  task.hindrance = Hindrance::kNone;
+  if (!task.does.isStuck()) task.hindrance = Hindrance::kNone;  // else what it was is still what it is
   if (!task.does.isActive()) return;
   const Eigen::VectorXd& velocities = hierarchy_->velocities();
   double lack = 0;
@@ -133,7 +133,7 @@ bool CartesianTasks::on_command(std::string_view words) {
   const std::string_view verb = takeWord(words);
   if (verb == "posture") return setPosture(takeWord(words)) && words.empty();
   if (verb == "stop" && words.empty()) {
-    for (Task& task : tasks_) task.does.rest();
+    for (Task& task : tasks_) task.does.stop();
     return setPosture({});
   }
   Task* task = findTask(takeWord(words));
@@ -154,7 +154,7 @@ bool CartesianTasks::obey(std::string_view verb, Task& task, std::string_view wo
     return true;
   }
   if (count == 0 && verb == "stop") {
-    task.does.rest();
+    task.does.stop();
     return true;
   }
   if ((count != 3 && count != 6) || !task.does.isActive()) return false;
@@ -163,7 +163,7 @@ bool CartesianTasks::obey(std::string_view verb, Task& task, std::string_view wo
     return true;
   }
   if (verb != "pose" && verb != "move") return false;
-  task.does.endVelocity();
+  task.does.beginPath();
   return verb == "pose" ? task.does.path().setTarget(numbers, count) : task.does.path().moveTarget(numbers, count);
 }
 

@@ -20,15 +20,19 @@ struct Number {
 // A task that something holds back comes before one that only is on its way.
 void CartesianTasks::say() noexcept {
   const Task* late = nullptr;
+  bool is_late_held = false;
   bool is_led = false;
   for (const Task& task : tasks_) {
     if (!task.does.isActive()) continue;
     is_led |= task.does.isLedByVelocity();
-    const bool is_held = task.hindrance != Hindrance::kNone;
+    const bool is_held = task.does.isStuck() || task.hindrance != Hindrance::kNone;
     if (task.does.isThere() && !(is_held && task.does.isLedByVelocity())) continue;
-    if (late == nullptr || (is_held && late->hindrance == Hindrance::kNone)) late = &task;
+    if (late == nullptr || (is_held && !is_late_held)) {
+      late = &task;
+      is_late_held = is_held;
+    }
   }
-  if (late != nullptr && (late->hindrance != Hindrance::kNone || !late->does.isLedByVelocity()))
+  if (late != nullptr && (is_late_held || !late->does.isLedByVelocity()))
     sayOf(*late);
   else
     status_.assign(is_led ? "moving with a velocity" : "all tasks are at their targets");
@@ -36,18 +40,18 @@ void CartesianTasks::say() noexcept {
 
 void CartesianTasks::sayOf(const Task& task) noexcept {
   status_.assign(task.does.description().name);
-  if (task.hindrance == Hindrance::kNone) {
+  if (task.hindrance == Hindrance::kNone && !task.does.isStuck()) {
     status_.append(" is moving");
     return;
   }
   Number number;
-  status_.append(" is ").append(number(task.does.metres())).append(" m and ");
+  status_.append(task.does.isStuck() ? " cannot go on, " : " is ").append(number(task.does.metres())).append(" m and ");
   status_.append(number(task.does.radians())).append(" rad from its target: ");
   switch (task.hindrance) {
     case Hindrance::kLimit: status_.append(joints_->joint(task.which).name()).append(" is at its limit"); break;
+    case Hindrance::kNone:
     case Hindrance::kSingular: status_.append("it is at the end of its reach, or in a singular posture"); break;
     case Hindrance::kPriority: status_.append("a task of higher priority needs the joints"); break;
-    case Hindrance::kNone: break;
   }
 }
 

@@ -37,8 +37,8 @@ TEST_F(Cartesian, MovesInAStraightLineWithLimitedSpeed) {
   for (int i = 0; i < 20; ++i) {
     run(plugin, setup, 25);
     const Eigen::Vector3d now = tip().translation();
-    EXPECT_LT((now - last).norm(), 0.2 * 0.025 * 1.2);
-    EXPECT_LT((now - before.translation()).cross(way.normalized()).norm(), 5e-3);
+    EXPECT_LT((now - last).norm(), 0.2 * 0.025 * 1.01);
+    EXPECT_LT((now - before.translation()).cross(way.normalized()).norm(), 1e-3);
     last = now;
   }
   run(plugin, setup, 2000);
@@ -72,7 +72,7 @@ TEST_F(Cartesian, StaysWithinPositionsAndVelocitiesWhereTheTargetIsOutOfReach) {
       last[static_cast<std::size_t>(i)] = now;
     }
   }
-  EXPECT_NE(plugin.status(), "at the target");
+  EXPECT_TRUE(plugin.status().starts_with("it cannot go on: ")) << plugin.status();
   ASSERT_TRUE(plugin.on_command("stop"));
   run(plugin, setup, 500);
   EXPECT_EQ(plugin.status(), "at the target");

@@ -26,6 +26,11 @@ final class Memory {
     return (long) LONGS.getAcquire(bytes, offset);
   }
 
+  /** A number that its writer wrote before anybody could read it. */
+  int readInt(int offset) {
+    return bytes.getInt(offset);
+  }
+
   /** A copy that need not be consistent in itself: counters. */
   ByteBuffer copy(int offset, int size) {
     byte[] copy = new byte[size];
@@ -42,18 +47,25 @@ final class Memory {
    * @param size its bytes
    */
   Optional<ByteBuffer> consistent(int sequence, int offset, int size) {
+    byte[] copy = new byte[size];
+    return consistent(sequence, offset, copy) ? Optional.of(ByteBuffer.wrap(copy).order(ByteOrder.LITTLE_ENDIAN))
+        : Optional.empty();
+  }
+
+  /** The same into an array of its size, whose content is of no use where it is false. */
+  boolean consistent(int sequence, int offset, byte[] into) {
     for (int i = 0; i < TRIES; i++) {
       long before = acquireLong(sequence);
       if ((before & 1) == 0) {
-        ByteBuffer copy = copy(offset, size);
+        bytes.get(offset, into);
         VarHandle.acquireFence();
         if ((long) LONGS.getOpaque(bytes, sequence) == before) {
-          return Optional.of(copy);
+          return true;
         }
       }
       Thread.onSpinWait();
     }
-    return Optional.empty();
+    return false;
   }
 
   /** Text that ends with zero or with its room, whatever bytes it has. */

@@ -6,6 +6,8 @@ import java.lang.ref.Reference;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Function;
 import org.robotui.xbot.Board;
 import org.robotui.xbot.HostReading;
 import org.robotui.xbot.StateFrame;
@@ -37,6 +39,7 @@ public final class Segments implements CycleMemory {
   private final Memory state;
   private final Memory board;
   private final List<Memory> hosts = new ArrayList<>();
+  private final AtomicReference<FrameCopy> spare = new AtomicReference<>();
   private volatile Optional<KnownBoard> known = Optional.empty();
 
   private record KnownBoard(long version, Board board) {}
@@ -62,17 +65,21 @@ public final class Segments implements CycleMemory {
 
   /** The newest state. */
   public Optional<StateFrame> state() {
-    try {
-      return readers.state().read(state);
-    } finally {
-      Reference.reachabilityFence(this);
-    }
+    return reading(copy -> readers.state().read(state, copy));
   }
 
   @Override
   public Optional<StateFrame> state(long cycle) {
+    return reading(copy -> readers.state().read(state, cycle, copy));
+  }
+
+  /** With the room of the reading before; with new one where another thread reads now, since nobody waits here. */
+  private Optional<StateFrame> reading(Function<FrameCopy, Optional<StateFrame>> read) {
     try {
-      return readers.state().read(state, cycle);
+      FrameCopy copy = Optional.ofNullable(spare.getAndSet(null)).orElseGet(readers.state()::newCopy);
+      Optional<StateFrame> found = read.apply(copy);
+      spare.set(copy);
+      return found;
     } finally {
       Reference.reachabilityFence(this);
     }

@@ -47,15 +47,24 @@ public final class StateReader {
     return memory.acquireLong(newest);
   }
 
+  /** Room to read with. */
+  FrameCopy newCopy() {
+    return new FrameCopy(frame.size);
+  }
+
   /** The newest frame; none before the first, or where the HAL died while it wrote one. */
-  public Optional<StateFrame> read(Memory memory) {
+  Optional<StateFrame> read(Memory memory, FrameCopy copy) {
     long cycle = newest(memory);
-    return cycle == 0 ? Optional.empty() : at(memory, cycle);
+    return cycle == 0 || !take(memory, cycle, copy) ? Optional.empty() : Optional.of(frame(memory, copy));
   }
 
   /** The frame of a cycle; none where another one lies there by now, or is being written. */
-  public Optional<StateFrame> read(Memory memory, long cycle) {
-    return at(memory, cycle).filter(there -> there.cycle() == cycle);
+  Optional<StateFrame> read(Memory memory, long cycle, FrameCopy copy) {
+    if (!take(memory, cycle, copy)) {
+      return Optional.empty();
+    }
+    StateFrame there = frame(memory, copy);
+    return there.cycle() == cycle ? Optional.of(there) : Optional.empty();
   }
 
   /** The oldest cycle that is not about to be written over, while this is the newest one. */
@@ -63,9 +72,9 @@ public final class StateReader {
     return Math.max(1, newestCycle - (frames.count() - 2));
   }
 
-  private Optional<StateFrame> at(Memory memory, long cycle) {
+  private boolean take(Memory memory, long cycle, FrameCopy copy) {
     int at = frames.offset() + (int) Long.remainderUnsigned(cycle, frames.count()) * frames.size();
-    return memory.consistent(at + sequence, at + data, frame.size).map(from -> frame(memory, from));
+    return copy.take(memory, at + sequence, at + data);
   }
 
   /** How the HAL keeps its time. */
@@ -73,23 +82,29 @@ public final class StateReader {
     return timing.loop(memory.copy(loop.offset(), loop.size()));
   }
 
-  private StateFrame frame(Memory memory, ByteBuffer from) {
+  /** The joints are made for each copy that was taken: it compares them with those before. */
+  private StateFrame frame(Memory memory, FrameCopy copy) {
+    ByteBuffer from = copy.bytes();
     return new StateFrame(
         from.getLong(frame.cycle),
         from.getLong(frame.sensed),
         HARDWARE[Math.clamp(from.getInt(frame.status), 0, HARDWARE.length - 1)],
-        many(memory, joints, frame.joints, at -> joint(from, at)),
+        copy.joints(frame.joints, count(memory, joints, frame.joints), at -> joint(from, at)),
         many(memory, imus, frame.imus, at -> imu(from, at)),
         many(memory, forceTorques, frame.forceTorques, at -> forceTorque(from, at)));
   }
 
   private static <T> List<T> many(Memory memory, int count, Layout.Field field, IntFunction<T> one) {
-    int there = Math.clamp(memory.copy(count, Integer.BYTES).getInt(0), 0, field.count());
+    int there = count(memory, count, field);
     List<T> all = new ArrayList<>(there);
     for (int i = 0; i < there; i++) {
       all.add(one.apply(field.offset() + i * field.size()));
     }
     return List.copyOf(all);
+  }
+
+  private static int count(Memory memory, int count, Layout.Field field) {
+    return Math.clamp(memory.readInt(count), 0, field.count());
   }
 
   private StateFrame.Joint joint(ByteBuffer from, int at) {

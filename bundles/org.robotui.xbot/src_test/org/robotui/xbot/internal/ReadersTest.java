@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.List;
+import java.util.Optional;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.robotui.geometry.Vector3;
@@ -45,11 +46,16 @@ class ReadersTest {
 
   @Test
   void theNewestFrameIsRead() throws IOException {
-    StateFrame state = new StateReader(layout).read(segment()).orElseThrow();
+    StateFrame state = read(segment()).orElseThrow();
     assertEquals(0.125, state.joints().getFirst().linkPosition());
     assertEquals(StateFrame.Hardware.TIMEOUT, state.hardware());
     assertEquals(new Vector3(1, -2, 3), state.forceTorques().get(15).force());
     assertTrue(Double.isNaN(state.joints().getFirst().driverTemperature()));
+  }
+
+  private Optional<StateFrame> read(Memory memory) {
+    StateReader reader = new StateReader(layout);
+    return reader.read(memory, reader.newCopy());
   }
 
   /** A state whose newest frame is the one of the vectors. */
@@ -69,7 +75,7 @@ class ReadersTest {
   @Test
   void beforeTheFirstCycleThereIsNoFrame() {
     Memory empty = new Memory(ByteBuffer.allocateDirect(layout.size("StateSegment")));
-    assertTrue(new StateReader(layout).read(empty).isEmpty());
+    assertTrue(read(empty).isEmpty());
   }
 
   @Test
