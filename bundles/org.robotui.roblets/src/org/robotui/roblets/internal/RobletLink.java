@@ -129,7 +129,8 @@ public final class RobletLink implements DatagramEndpoint.Handler, RobletSpeech,
   public boolean tell(String friend, BodyElement message) {
     InetSocketAddress there = friends.get(friend);
     return there != null && form.friends().contains(friend)
-        && endpoint.say(toFriends.computeIfAbsent(friend, name -> sender.beside()), DatagramKind.MESSAGE, friend, Optional.of(message), there);
+        && endpoint.say(toFriends.computeIfAbsent(friend, name -> sender.beside()), DatagramKind.MESSAGE, friend,
+            Optional.of(message), there);
   }
 
   @Override
