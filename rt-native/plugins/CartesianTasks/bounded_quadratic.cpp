@@ -11,6 +11,20 @@ constexpr double kRest = 1e-10;      // of the function's distance: a shorter st
 constexpr double kParallel = 1e-13;  // cosine below which a row does not change along a step
 constexpr double kOneValue = 1e-12;  // bounds that are so near to each other are one value
 
+// Substitution by hand: in Eigen's own, of a vector, the analyzer of clang sees memory that is lost.
+template <typename Triangle>
+void solveLower(const Triangle& lower, Eigen::VectorBlock<Eigen::VectorXd> of) noexcept {
+  for (Eigen::Index i = 0; i < of.size(); ++i) of[i] = (of[i] - lower.row(i).head(i).dot(of.head(i))) / lower(i, i);
+}
+
+template <typename Triangle>
+void solveUpper(const Triangle& upper, Eigen::VectorBlock<Eigen::VectorXd> of) noexcept {
+  for (Eigen::Index i = of.size() - 1; i >= 0; --i) {
+    const Eigen::Index behind = of.size() - 1 - i;
+    of[i] = (of[i] - upper.row(i).tail(behind).dot(of.tail(behind))) / upper(i, i);
+  }
+}
+
 }  // namespace
 
 BoundedQuadratic::BoundedQuadratic(Index most_variables, Index most_rows)
@@ -33,7 +47,7 @@ bool BoundedQuadratic::solve() noexcept {
   Eigen::Ref<Eigen::MatrixXd> in_place(hessian());
   const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factor(in_place);
   auto offset = gradient();
-  in_place.triangularView<Eigen::Lower>().solveInPlace(offset);
+  solveLower(in_place, offset);
   auto constraints = rows();
   in_place.transpose().triangularView<Eigen::Upper>().solveInPlace<Eigen::OnTheRight>(constraints);
   at_.head(variables_).setZero();
@@ -55,7 +69,7 @@ bool BoundedQuadratic::solve() noexcept {
   }
   auto result = variables();
   result = at_.head(variables_);
-  in_place.transpose().triangularView<Eigen::Upper>().solveInPlace(result);
+  solveUpper(in_place.transpose(), result);
   return done;
 }
 
@@ -119,7 +133,7 @@ bool BoundedQuadratic::removeWorst() noexcept {
   auto forces = multipliers_.head(count);
   step_.head(variables_) = -at_.head(variables_) - gradient();
   forces.noalias() = basis_.topLeftCorner(variables_, count).transpose() * step_.head(variables_);
-  triangle_.topLeftCorner(count, count).triangularView<Eigen::Upper>().solveInPlace(forces);
+  solveUpper(triangle_.topLeftCorner(count, count), forces);
   Index worst = -1;
   double least = -kRest * (1 + gradient().norm());
   for (Index k = 0; k < count; ++k) {
