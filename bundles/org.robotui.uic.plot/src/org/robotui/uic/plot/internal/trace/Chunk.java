@@ -24,10 +24,20 @@ final class Chunk {
   void add(long time, double value) {
     times[count] = time;
     values[count] = value;
-    fine.add(count, value);
-    coarse.add(count, value);
-    whole.add(count, value);
     count++;
+    if (count % fine.width() == 0) {
+      build();
+    }
+  }
+
+  private void build() {
+    fine.put(count, values);
+    if (count % coarse.width() == 0) {
+      coarse.put(count, fine);
+    }
+    if (count == SIZE) {
+      whole.put(count, coarse);
+    }
   }
 
   long time(int index) {
@@ -62,7 +72,7 @@ final class Chunk {
   }
 
   private int step(int at, int to, Summary summary) {
-    if (at == 0 && to == count) {
+    if (fits(at, to, whole)) {
       whole.into(0, summary);
       return to;
     }

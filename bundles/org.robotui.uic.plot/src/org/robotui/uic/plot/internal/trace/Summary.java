@@ -63,6 +63,15 @@ public final class Summary {
     return max;
   }
 
+  double sum() {
+    return sum;
+  }
+
+  /** Of the distances from the mean. */
+  double squares() {
+    return squares;
+  }
+
   /** NaN where there is none. */
   public double mean() {
     return count == 0 ? Double.NaN : sum / count;
