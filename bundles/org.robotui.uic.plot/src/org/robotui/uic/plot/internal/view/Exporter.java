@@ -52,15 +52,28 @@ public final class Exporter {
     List<CsvExport.Column> columns = scene.traces().filter(TraceView::drawn)
         .map(t -> new CsvExport.Column(t.spec().signal(), t.unit(), t.series().orElseThrow().samples())).toList();
     say("writing " + file, true);
-    background.execute(() -> write(new CsvExport(columns, span)::write, file));
+    background.execute(() -> write(file, path -> rows(path, new CsvExport(columns, span)::write)));
   }
 
   /** Has a text written. */
   public void write(String text, String file) {
-    background.execute(() -> write(out -> {
+    background.execute(() -> write(file, path -> rows(path, out -> {
       out.write(text);
       return text.lines().count() - 1;
-    }, file));
+    })));
+  }
+
+  /** Has a picture written. */
+  void picture(PictureFile picture, String file) {
+    background.execute(() -> write(file, path -> {
+      picture.write(path);
+      return "the picture";
+    }));
+  }
+
+  /** Writes a picture to a file. */
+  interface PictureFile {
+    void write(Path file) throws IOException;
   }
 
   /** Writes lines, and says how many. */
@@ -68,15 +81,24 @@ public final class Exporter {
     long write(Writer out) throws IOException;
   }
 
-  private void write(Lines lines, String file) {
+  /** Writes a file, and says what was written. */
+  private interface Writing {
+    String write(Path file) throws IOException;
+  }
+
+  private static String rows(Path file, Lines lines) throws IOException {
+    AtomicLong rows = new AtomicLong();
+    AtomicFile.write(file, out -> {
+      Writer writer = new BufferedWriter(new OutputStreamWriter(out, StandardCharsets.UTF_8));
+      rows.set(lines.write(writer));
+      writer.flush();
+    });
+    return rows + " rows";
+  }
+
+  private void write(String file, Writing writing) {
     try {
-      AtomicLong rows = new AtomicLong();
-      AtomicFile.write(Path.of(file), out -> {
-        Writer writer = new BufferedWriter(new OutputStreamWriter(out, StandardCharsets.UTF_8));
-        rows.set(lines.write(writer));
-        writer.flush();
-      });
-      say("saved " + rows + " rows to " + file, true);
+      say("saved " + writing.write(Path.of(file)) + " to " + file, true);
     } catch (IOException e) {
       say("cannot write " + file + ": " + WriteFailure.reason(e), false);
     } catch (InvalidPathException e) {

@@ -37,6 +37,8 @@ final class PlotMenu {
 
     void export(boolean all);
 
+    void picture();
+
     void zoomBack(int axis);
   }
 
@@ -77,6 +79,7 @@ final class PlotMenu {
     menu.line();
     menu.push("Export what is seen\u2026", () -> commands.export(false));
     menu.push("Export all\u2026", () -> commands.export(true));
+    menu.push("Save as a picture\u2026", !scene.axes().isEmpty(), commands::picture);
     menu.open();
   }
 

@@ -23,6 +23,7 @@ final class PlotPainter {
   private static final int GUTTER_STEP = 8;
   private static final int LEAST_GUTTER = 48;
 
+  private final Theme theme;
   private final StateView states;
   private final AxisPainter axes;
   private final TracePainter lines;
@@ -33,6 +34,7 @@ final class PlotPainter {
   private int gutter = LEAST_GUTTER;
 
   PlotPainter(Theme theme, ZoneId zone) {
+    this.theme = theme;
     this.states = new StateView(theme);
     this.axes = new AxisPainter(theme, zone);
     this.lines = new TracePainter(theme);
@@ -62,8 +64,7 @@ final class PlotPainter {
         .orElse(OptionalLong.empty()));
     List<LegendPainter.Place> named = new ArrayList<>();
     for (AxisFrame frame : frames) {
-      boolean live = scene.replay().isEmpty() && state.time(scene, frame.index()).isLive();
-      axes.paint(gc, frame, live, hasSamples(frame));
+      axes.paint(gc, frame, isLive(frame, scene, state), hasSamples(frame));
       Rectangle clip = gc.getClipping();
       gc.setClipping(frame.plot().x, frame.plot().y - 1, frame.plot().width, frame.plot().height + 2);
       traces(gc, frame, scene);
@@ -78,6 +79,16 @@ final class PlotPainter {
     }
     places = List.copyOf(named);
     state.box().ifPresent(box -> pointers.box(gc, box));
+  }
+
+  /** What was painted last, as SVG. */
+  String svg(Rectangle area, PlotScene scene, PlotState state) {
+    return PlotSvg.write(area, frames, frame -> isLive(frame, scene, state), theme.palette(), axes,
+        scene.spec().style());
+  }
+
+  private static boolean isLive(AxisFrame frame, PlotScene scene, PlotState state) {
+    return scene.replay().isEmpty() && state.time(scene, frame.index()).isLive();
   }
 
   /** Says where what is dragged would go. */

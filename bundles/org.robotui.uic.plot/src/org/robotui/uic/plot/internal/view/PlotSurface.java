@@ -204,6 +204,12 @@ public final class PlotSurface implements ViewSurface {
         .ifPresent(file -> exporter.export(scene, span, file.toString()));
   }
 
+  private void picture() {
+    PictureSaver saver = new PictureSaver(context.theme(), painter, exporter);
+    SaveDialog.ask(canvas, "Save the plot as SVG or PNG", "plot.svg", "*.svg", "*.png")
+        .ifPresent(file -> saver.save(canvas, scene, state, file));
+  }
+
   private int lastAxis() {
     return Math.max(0, scene.axes().size() - 1);
   }
@@ -371,6 +377,11 @@ public final class PlotSurface implements ViewSurface {
     @Override
     public void export(boolean all) {
       PlotSurface.this.export(all);
+    }
+
+    @Override
+    public void picture() {
+      PlotSurface.this.picture();
     }
 
     @Override
