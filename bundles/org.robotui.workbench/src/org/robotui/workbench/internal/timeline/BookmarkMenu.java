@@ -1,11 +1,16 @@
 package org.robotui.workbench.internal.timeline;
 
+import java.io.IOException;
 import java.util.Comparator;
+import org.eclipse.jface.dialogs.MessageDialog;
 import org.eclipse.swt.widgets.Control;
+import org.robotui.api.config.AtomicFile;
+import org.robotui.api.config.WriteFailure;
 import org.robotui.api.replay.Bookmark;
 import org.robotui.api.replay.Timeline;
 import org.robotui.ui.control.NameDialog;
 import org.robotui.ui.control.PopupMenu;
+import org.robotui.ui.control.SaveDialog;
 
 /** What can be done with bookmarks. Display thread only. */
 record BookmarkMenu(Control over, BarState bar, Timeline timeline) {
@@ -25,10 +30,23 @@ record BookmarkMenu(Control over, BarState bar, Timeline timeline) {
   PopupMenu all() {
     PopupMenu menu = new PopupMenu(over);
     menu.push("Add Bookmark", () -> add(bar.state().position()));
+    menu.push("Export Bookmarks\u2026", !bar.state().bookmarks().isEmpty(), this::export);
     menu.line();
     bar.state().bookmarks().stream().sorted(Comparator.comparingLong(Bookmark::time))
         .forEach(mark -> of(menu.under(words(mark)), mark));
     return menu;
+  }
+
+  private void export() {
+    String table = BookmarkTable.of(bar.state().bookmarks(), bar.all().start());
+    SaveDialog.ask(over, "Export Bookmarks", "bookmarks.csv", "*.csv").ifPresent(file -> {
+      try {
+        AtomicFile.write(file, table);
+      } catch (IOException e) {
+        MessageDialog.openError(over.getShell(), "Export Bookmarks",
+            file + " could not be written: " + WriteFailure.reason(e));
+      }
+    });
   }
 
   /** What can be done with one. */
