@@ -90,6 +90,20 @@ def test_who_comes_late_gets_the_last_message_of_each_sender_that_latches(roscor
     assert sorted(late.out.read_text().split()) == ["a", "d"]
 
 
+def test_a_bag_that_became_mcap_becomes_the_same_bag_for_the_stock_library(environment, tmp_path):
+    original, mcap = recording("bags/turtlesim.bag"), tmp_path / "run.mcap"
+    convert(environment, original, mcap)
+    for compression in "none", "lz4":
+        bag = tmp_path / f"{compression}.bag"
+        convert(environment, mcap, bag, "--compression", compression)
+        assert messages(bag) == messages(original)
+
+
+def convert(environment, *arguments):
+    done = subprocess.run([ROOT / "robotui", "log", "convert", *map(str, arguments)], env=environment, capture_output=True, text=True, timeout=180)
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
 def test_a_master_that_is_not_there_is_named(environment):
     uri = f"http://127.0.0.1:{free_port()}"
     said = play(environment | {"ROS_MASTER_URI": uri}, recording("bags/marker_cube.bag"), code=2)

@@ -4,11 +4,13 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.function.Function;
+import org.robotui.recording.internal.bag.BagWriter;
 import org.robotui.recording.internal.copy.CopyRun;
 
 /**
- * Writes what can be read of recordings as an MCAP file with an index: bags become MCAP, damaged files whole ones,
- * several recordings one, a part of one a recording of its own. Messages come in order of their log times. Any thread
+ * Writes what can be read of recordings as an MCAP file with an index, or as a bag: bags become MCAP, damaged files
+ * whole ones, several recordings one, a part of one a recording of its own. Messages come in order of their log times. Any thread
  * may use it.
  */
 public final class RecordingCopy {
@@ -58,13 +60,47 @@ public final class RecordingCopy {
    */
   public static Outcome copy(List<RecordingReader> from, RecordingPart part, Path to, WriterOptions options)
       throws RecordingException {
+    refuseSame(from, to);
+    try (RecordingWriter writer = RecordingWriter.create(to, options)) {
+      return new CopyRun(from, part, writer).run();
+    }
+  }
+
+  /**
+   * Copies a part of recordings into a bag of ROS 1, which has no place for files and notes, and LZ4 instead of zstd.
+   *
+   * @param from stay as they are
+   * @param part which messages; all of its channels {@linkplain #fitsBag fit a bag}
+   * @param to the file that is written; it must not be one that is read
+   * @param options how it is written
+   * @param sums gives the MD5 sum of the type of a channel, as ROS 1 computes it
+   * @return what became of it; damages of several recordings name their files
+   * @throws RecordingException if something cannot be read or written at all; the copy is then as long as it came
+   * @throws IllegalArgumentException if the file is one of those that are read, or a channel does not fit
+   */
+  public static Outcome toBag(List<RecordingReader> from, RecordingPart part, Path to, WriterOptions options,
+      Function<RecordedChannel, String> sums) throws RecordingException {
+    refuseSame(from, to);
+    try (RecordingWriter writer = BagWriter.create(to, options, sums)) {
+      return new CopyRun(from, part, writer).run();
+    }
+  }
+
+  /**
+   * Whether messages of a channel may be in a bag: those of ROS 1 whose definition is known.
+   *
+   * @param channel of any recording
+   * @return whether they may
+   */
+  public static boolean fitsBag(RecordedChannel channel) {
+    return BagWriter.fits(channel);
+  }
+
+  private static void refuseSame(List<RecordingReader> from, Path to) throws RecordingException {
     for (RecordingReader each : from) {
       if (isSame(each.file(), to)) {
         throw new IllegalArgumentException("a recording cannot be copied to itself: " + to);
       }
-    }
-    try (RecordingWriter writer = RecordingWriter.create(to, options)) {
-      return new CopyRun(from, part, writer).run();
     }
   }
 

@@ -10,5 +10,5 @@
  *
  * <p>Sources: the specification of MCAP (mcap.dev/spec), "Bags/Format/2.0" of ROS, the frame and block formats of LZ4.
  */
-@org.osgi.annotation.versioning.Version("2.1.0")
+@org.osgi.annotation.versioning.Version("2.2.0")
 package org.robotui.recording;

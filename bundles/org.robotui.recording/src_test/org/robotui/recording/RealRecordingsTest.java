@@ -1,6 +1,7 @@
 package org.robotui.recording;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
@@ -102,6 +103,38 @@ class RealRecordingsTest {
         }
       }
     }
+  }
+
+  @ParameterizedTest
+  @MethodSource("files")
+  void of_ROS_1_become_bags(Path file) throws RecordingException {
+    for (ChunkCompression compression : ChunkCompression.values()) {
+      Path copy = folder.resolve(compression.word() + ".bag");
+      WriterOptions options = WriterOptions.defaults().withCompression(compression).withChunkBytes(30_000);
+      try (RecordingReader recording = open(file)) {
+        boolean fits = recording.channels().stream().allMatch(RecordingCopy::fitsBag);
+        if (!fits) {
+          assertThrows(IllegalArgumentException.class,
+              () -> RecordingCopy.toBag(List.of(recording), RecordingPart.ALL, copy, options, channel -> "*"));
+          continue;
+        }
+        RecordingCopy.toBag(List.of(recording), RecordingPart.ALL, copy, options,
+            channel -> channel.metadata().getOrDefault("md5sum", "*"));
+        try (RecordingReader copied = open(copy)) {
+          assertTrue(copied.isIndexed());
+          assertEquals(recording.span(), copied.span());
+          assertEquals(counts(recording), counts(copied));
+          assertTrue(inBag(recording).equals(inBag(copied)));
+          assertEquals(List.of(), copied.damages());
+        }
+      }
+    }
+  }
+
+  /** What a bag keeps of messages: neither numbers nor when they were sent. */
+  private static List<List<Object>> inBag(RecordingReader recording) throws RecordingException {
+    return ReadMessages.of(recording).stream()
+        .<List<Object>>map(each -> List.of(each.topic(), each.schema(), each.logTime(), each.data())).toList();
   }
 
   @ParameterizedTest

@@ -7,6 +7,7 @@ import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.util.Optional;
 import net.jpountz.lz4.LZ4FrameOutputStream;
+import net.jpountz.lz4.LZ4FrameOutputStream.FLG;
 import org.robotui.recording.ChunkCompression;
 
 /** Compresses chunks of recordings. For one thread at a time. */
@@ -18,12 +19,23 @@ public final class ChunkEncoder {
   private static final long UNKNOWN_SIZE = -1;
 
   private final ChunkCompression compression;
+  private final FLG.Bits[] flags;
   private final Lz4Library library;
   private ByteBuffer compressed = ByteBuffer.allocateDirect(0);
 
   public ChunkEncoder(ChunkCompression compression) {
+    this(compression, FLG.Bits.BLOCK_INDEPENDENCE);
+  }
+
+  private ChunkEncoder(ChunkCompression compression, FLG.Bits... flags) {
     this.compression = compression;
+    this.flags = flags;
     library = Lz4Library.load();
+  }
+
+  /** Compresses by LZ4 as the library of ROS 1 reads it: with a checksum of all. */
+  public static ChunkEncoder ofBags() {
+    return new ChunkEncoder(ChunkCompression.LZ4, FLG.Bits.BLOCK_INDEPENDENCE, FLG.Bits.CONTENT_CHECKSUM);
   }
 
   /**
@@ -59,9 +71,9 @@ public final class ChunkEncoder {
 
   private byte[] lz4(byte[] plain) {
     ByteArrayOutputStream out = new ByteArrayOutputStream(plain.length / 2);
-    try (LZ4FrameOutputStream frame = new LZ4FrameOutputStream(out, LZ4FrameOutputStream.BLOCKSIZE.SIZE_256KB,
-        UNKNOWN_SIZE, library.compressor(), library.sums(), LZ4FrameOutputStream.FLG.Bits.BLOCK_INDEPENDENCE)) {
-      frame.write(plain, 0, plain.length);
+    try (LZ4FrameOutputStream stream = new LZ4FrameOutputStream(out, LZ4FrameOutputStream.BLOCKSIZE.SIZE_256KB,
+        UNKNOWN_SIZE, library.compressor(), library.sums(), flags)) {
+      stream.write(plain, 0, plain.length);
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }

@@ -1,16 +1,13 @@
 package org.robotui.rfic.recording.internal.send;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ThreadFactory;
-import org.robotui.message.DefinitionException;
 import org.robotui.message.MessageInfo;
-import org.robotui.message.MessageSchema;
 import org.robotui.message.RawCodec;
 import org.robotui.message.RawMessage;
 import org.robotui.message.RecordCodec;
@@ -18,6 +15,7 @@ import org.robotui.message.ros.rosgraph_msgs.Clock;
 import org.robotui.net.call.Outcome;
 import org.robotui.recording.RecordedChannel;
 import org.robotui.recording.RecordedMessage;
+import org.robotui.rfic.recording.internal.file.Ros1Types;
 import org.robotui.ros.GraphName;
 import org.robotui.ros.NodeOptions;
 import org.robotui.ros.Publisher;
@@ -79,7 +77,7 @@ final class Ros1Sender implements FrameworkSender {
       if (clock && topic.equals(CLOCK)) {
         continue;
       }
-      MessageInfo info = info(each);
+      MessageInfo info = Ros1Types.of(each);
       Sent before = topics.get(topic);
       if (before != null && !before.info().md5().equals(info.md5())) {
         throw new IOException(topic + " has messages of two types, " + before.info().type() + " and " + info.type()
@@ -88,17 +86,6 @@ final class Ros1Sender implements FrameworkSender {
       topics.put(topic, new Sent(info, each.isLatched() || before != null && before.latched()));
     }
     return topics;
-  }
-
-  private static MessageInfo info(RecordedChannel channel) throws IOException {
-    String type = channel.schema().name();
-    String definition = new String(channel.schema().definition(), StandardCharsets.UTF_8);
-    String sum = channel.metadata().getOrDefault("md5sum", "");
-    try {
-      return sum.isEmpty() ? MessageSchema.parse(type, definition).info() : new MessageInfo(type, sum, definition);
-    } catch (DefinitionException e) {
-      throw new IOException(channel.topic() + ": the definition of " + type + " cannot be read: " + e.getMessage(), e);
-    }
   }
 
   private static String name(RecordedChannel channel) {

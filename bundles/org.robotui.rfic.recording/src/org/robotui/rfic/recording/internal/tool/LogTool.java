@@ -140,15 +140,17 @@ public final class LogTool {
    * A repaired file is as good as one that never was damaged: that something is missing in it is said, and is no
    * failure.
    */
-  private int copy(List<RecordingReader> recordings, LogCommand command) throws RecordingException, UsageException {
+  private int copy(List<RecordingReader> recordings, LogCommand command) throws IOException, UsageException {
     Path to = command.to().orElseThrow();
     if (Files.exists(to)) {
       err.println("robotui: " + to + " is there already: name a file that is new");
       return REFUSED;
     }
     RecordingPart part = part(recordings, command);
-    RecordingCopy.Outcome outcome = RecordingCopy.copy(recordings, part, to,
-        WriterOptions.defaults().withCompression(command.compression()).withProfile(profile(recordings)));
+    WriterOptions options =
+        WriterOptions.defaults().withCompression(command.compression()).withProfile(profile(recordings));
+    RecordingCopy.Outcome outcome = WrittenBag.isAsked(to) ? new WrittenBag(out).write(recordings, part, to, options)
+        : RecordingCopy.copy(recordings, part, to, options);
     out.println(outcome.messages() + " messages were written to " + to);
     outcome.damages().forEach(out::println);
     return outcome.damages().isEmpty() || command.verb() == LogCommand.Verb.REPAIR ? WHOLE : DAMAGED;
