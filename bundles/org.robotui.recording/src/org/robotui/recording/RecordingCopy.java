@@ -10,8 +10,8 @@ import org.robotui.recording.internal.copy.CopyRun;
 
 /**
  * Writes what can be read of recordings as an MCAP file with an index, or as a bag: bags become MCAP, damaged files
- * whole ones, several recordings one, a part of one a recording of its own. Messages come in order of their log times. Any thread
- * may use it.
+ * whole ones, several recordings one, a part of one a recording of its own. Messages come in order of their log times.
+ * Any thread may use it.
  */
 public final class RecordingCopy {
 
