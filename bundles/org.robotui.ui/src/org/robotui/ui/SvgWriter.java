@@ -11,7 +11,12 @@ import org.eclipse.swt.graphics.RGB;
 public final class SvgWriter {
   /** Which part of a text lies at its place. */
   public enum Anchor {
-    START, MIDDLE, END;
+    /** Its beginning. */
+    START,
+    /** Its middle. */
+    MIDDLE,
+    /** Its end. */
+    END;
 
     private String word() {
       return name().toLowerCase(Locale.ROOT);
