@@ -2,33 +2,25 @@ package org.robotui.recording.internal.bag;
 
 import java.io.IOException;
 import java.nio.ByteBuffer;
-import java.nio.channels.FileChannel;
 import java.nio.file.Path;
-import java.nio.file.StandardOpenOption;
 import org.robotui.recording.RecordingException;
+import org.robotui.recording.internal.io.OutputFile;
 
 /** A file that grows, and whose beginning is written once more at the end. */
 final class BagFile implements AutoCloseable {
-  private final Path path;
-  private final FileChannel file;
+  private final OutputFile file;
   private long position;
 
-  private BagFile(Path path, FileChannel file) {
-    this.path = path;
+  private BagFile(OutputFile file) {
     this.file = file;
   }
 
   static BagFile create(Path path) throws RecordingException {
-    try {
-      return new BagFile(path, FileChannel.open(path, StandardOpenOption.CREATE, StandardOpenOption.WRITE,
-          StandardOpenOption.TRUNCATE_EXISTING));
-    } catch (IOException e) {
-      throw new RecordingException(path, "cannot be written", e);
-    }
+    return new BagFile(OutputFile.create(path));
   }
 
   Path path() {
-    return path;
+    return file.path();
   }
 
   long position() {
@@ -44,25 +36,16 @@ final class BagFile implements AutoCloseable {
     put(bytes, at);
   }
 
-  private long put(ByteBuffer bytes, long from) throws RecordingException {
-    ByteBuffer left = bytes.duplicate();
-    long at = from;
+  private long put(ByteBuffer bytes, long at) throws RecordingException {
     try {
-      while (left.hasRemaining()) {
-        at += file.write(left, at);
-      }
-      return at;
+      return file.put(bytes, at);
     } catch (IOException e) {
-      throw new RecordingException(path, "cannot be written at byte " + at, e);
+      throw new RecordingException(file.path(), "cannot be written at byte " + at, e);
     }
   }
 
   @Override
   public void close() throws RecordingException {
-    try {
-      file.close();
-    } catch (IOException e) {
-      throw new RecordingException(path, "cannot be closed", e);
-    }
+    file.close();
   }
 }

@@ -1,11 +1,9 @@
 package org.robotui.recording.internal.mcap;
 
 import java.io.IOException;
-import java.nio.ByteBuffer;
-import java.nio.channels.FileChannel;
 import java.nio.file.Path;
-import java.nio.file.StandardOpenOption;
 import org.robotui.recording.RecordingException;
+import org.robotui.recording.internal.io.OutputFile;
 import org.robotui.recording.internal.io.PackedBytes;
 
 /**
@@ -14,24 +12,17 @@ import org.robotui.recording.internal.io.PackedBytes;
  */
 final class McapFile implements AutoCloseable {
 
-  private final Path path;
-  private final FileChannel file;
+  private final OutputFile file;
   private int sum;
   private long position;
   private boolean failed;
 
-  private McapFile(Path path, FileChannel file) {
-    this.path = path;
+  private McapFile(OutputFile file) {
     this.file = file;
   }
 
   static McapFile create(Path path) throws RecordingException {
-    try {
-      return new McapFile(path, FileChannel.open(path, StandardOpenOption.CREATE, StandardOpenOption.WRITE,
-          StandardOpenOption.TRUNCATE_EXISTING));
-    } catch (IOException e) {
-      throw new RecordingException(path, "cannot be written", e);
-    }
+    return new McapFile(OutputFile.create(path));
   }
 
   void write(PackedBytes records) throws RecordingException {
@@ -41,34 +32,27 @@ final class McapFile implements AutoCloseable {
   /** Writes whole records that lie in pieces. */
   void write(SummedBytes... pieces) throws RecordingException {
     if (failed) {
-      throw new RecordingException(path, position, "nothing more is written, as something could not be before");
+      throw new RecordingException(file.path(), position, "nothing more is written, as something could not be before");
     }
     try {
-      long written = 0;
+      long end = position;
       for (SummedBytes each : pieces) {
-        written += each.bytes().remaining();
-        write(each.bytes().duplicate());
+        end = file.put(each.bytes(), end);
       }
       for (SummedBytes each : pieces) {
         sum = JoinedSum.of(sum, each.sum(), each.bytes().remaining());
       }
-      position += written;
+      position = end;
     } catch (IOException e) {
       failed = true;
       takeBack(e);
-      throw new RecordingException(path, "cannot be written at byte " + position, e);
-    }
-  }
-
-  private void write(ByteBuffer bytes) throws IOException {
-    while (bytes.hasRemaining()) {
-      file.write(bytes);
+      throw new RecordingException(file.path(), "cannot be written at byte " + position, e);
     }
   }
 
   private void takeBack(IOException cause) {
     try {
-      file.truncate(position);
+      file.cut(position);
     } catch (IOException e) {
       cause.addSuppressed(e);
     }
@@ -93,10 +77,6 @@ final class McapFile implements AutoCloseable {
 
   @Override
   public void close() throws RecordingException {
-    try {
-      file.close();
-    } catch (IOException e) {
-      throw new RecordingException(path, "cannot be closed", e);
-    }
+    file.close();
   }
 }
