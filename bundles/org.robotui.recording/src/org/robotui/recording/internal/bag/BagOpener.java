@@ -15,7 +15,7 @@ import org.robotui.recording.internal.io.MalformedRecord;
 public final class BagOpener {
 
   private static final String FORMAT = "rosbag 2.0";
-  private static final byte[] MAGIC = "#ROSBAG V2.0\n".getBytes(StandardCharsets.US_ASCII);
+  static final byte[] MAGIC = "#ROSBAG V2.0\n".getBytes(StandardCharsets.US_ASCII);
 
   private BagOpener() {}
 

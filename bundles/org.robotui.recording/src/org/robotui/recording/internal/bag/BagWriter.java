@@ -1,7 +1,6 @@
 package org.robotui.recording.internal.bag;
 
 import java.nio.ByteBuffer;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -26,7 +25,6 @@ import org.robotui.recording.internal.io.PackedBytes;
  * which LZ4 is taken.
  */
 public final class BagWriter implements RecordingWriter {
-  private static final byte[] MAGIC = "#ROSBAG V2.0\n".getBytes(StandardCharsets.US_ASCII);
   /** Of the first record, so that it can be written again with other numbers. */
   private static final int HEADER_ROOM = 4096;
   private static final long LAST_TIME = 0xffff_ffffL * 1_000_000_000L;
@@ -64,7 +62,7 @@ public final class BagWriter implements RecordingWriter {
     BagFile file = BagFile.create(path);
     try {
       BagWriter writer = new BagWriter(file, options, sums);
-      file.append(ByteBuffer.wrap(MAGIC));
+      file.append(ByteBuffer.wrap(BagOpener.MAGIC));
       file.append(writer.header(0));
       return writer;
     } catch (RecordingException e) {
@@ -220,7 +218,7 @@ public final class BagWriter implements RecordingWriter {
           .forEach(channel -> BagPacking.connection(buffer, channel.id(), channel, sums.apply(channel)));
       buffer.raw(infos.view());
       flushBuffer();
-      file.rewrite(header(indexAt), MAGIC.length);
+      file.rewrite(header(indexAt), BagOpener.MAGIC.length);
     }
   }
 }

@@ -2,7 +2,6 @@ package org.robotui.uic.plot.internal.view;
 
 import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
 import java.util.function.Predicate;
 import org.eclipse.swt.graphics.RGB;
 import org.eclipse.swt.graphics.Rectangle;
@@ -115,28 +114,28 @@ final class PlotSvg {
     trace.series().orElseThrow().sketch(frame.span(), FINER * Math.max(1, frame.plot().width), sketch);
     LineStyle style = trace.spec().style().orElse(usual);
     StringBuilder path = new StringBuilder();
-    Optional<Float> before = Optional.empty();
+    boolean begun = false;
     for (int i = 0; i < sketch.size(); i++) {
-      before = Double.isFinite(sketch.value(i))
-          ? Optional.of(point(path, style, before, frame.x(sketch.time(i)),
-              frame.y(sketch.value(i), trace.spec().right())))
-          : Optional.empty();
+      boolean there = Double.isFinite(sketch.value(i));
+      if (there) {
+        point(path, style, begun, frame.x(sketch.time(i)), frame.y(sketch.value(i), trace.spec().right()));
+      }
+      begun = there;
     }
     boolean dots = style == LineStyle.DOTS;
     out.element("<path d=\"%s\" stroke=\"%s\"%s/>", path, SvgWriter.color(color(trace)),
         dots ? " stroke-width=\"3\" stroke-linecap=\"round\"" : "");
   }
 
-  /** Goes on from the point before, at whose height it gives that of this one; a line of no length is a dot. */
-  private static float point(StringBuilder path, LineStyle style, Optional<Float> before, float x, float y) {
-    if (style == LineStyle.DOTS || before.isEmpty()) {
+  /** Goes on from the point before, where the line has begun; a line of no length is a dot. */
+  private static void point(StringBuilder path, LineStyle style, boolean begun, float x, float y) {
+    if (style == LineStyle.DOTS || !begun) {
       path.append(String.format(Locale.ROOT, "M%.2f %.2fh0", x, y));
     } else if (style == LineStyle.STEP) {
       path.append(String.format(Locale.ROOT, "H%.2fV%.2f", x, y));
     } else {
       path.append(String.format(Locale.ROOT, "L%.2f %.2f", x, y));
     }
-    return y;
   }
 
   /** Beside the plot one below the other, above it one after the other. */
