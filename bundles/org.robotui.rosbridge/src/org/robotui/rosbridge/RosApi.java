@@ -66,15 +66,18 @@ public final class RosApi {
    * @throws InterruptedException if the thread was interrupted
    */
   public Outcome<Map<String, String>> topics() throws InterruptedException {
-    return ask("topics", Map.of(), answer -> {
-      List<String> names = Trees.texts(answer, "topics");
-      List<String> types = Trees.texts(answer, "types");
-      Map<String, String> topics = new LinkedHashMap<>();
-      for (int i = 0; i < Math.min(names.size(), types.size()); i++) {
-        topics.put(names.get(i), types.get(i));
-      }
-      return topics;
-    });
+    return ask("topics", Map.of(), answer -> pairs(answer, "topics", "types"));
+  }
+
+  private static Map<String, String> pairs(Map<String, Object> answer, String names, String values)
+      throws TreeException {
+    List<String> keys = Trees.texts(answer, names);
+    List<String> texts = Trees.texts(answer, values);
+    Map<String, String> pairs = new LinkedHashMap<>();
+    for (int i = 0; i < Math.min(keys.size(), texts.size()); i++) {
+      pairs.put(keys.get(i), texts.get(i));
+    }
+    return pairs;
   }
 
   /**
@@ -139,6 +142,27 @@ public final class RosApi {
    */
   public Outcome<String> message(String type) throws InterruptedException {
     return definition("message_details", type);
+  }
+
+  /**
+   * The definitions of all types that topics have; by a bridge of ROS 2 and by newer ones of ROS 1. One that the bridge
+   * could not read is a comment that begins with {@code # failed}.
+   *
+   * @return the full text of each by type, or why there is no answer
+   * @throws InterruptedException if the thread was interrupted
+   */
+  public Outcome<Map<String, String>> definitions() throws InterruptedException {
+    return ask("topics_and_raw_types", Map.of(), answer -> pairs(answer, "types", "typedefs_full_text"));
+  }
+
+  /**
+   * Which distribution of ROS it is of.
+   *
+   * @return such as {@code jazzy}, or why there is no answer
+   * @throws InterruptedException if the thread was interrupted
+   */
+  public Outcome<String> distribution() throws InterruptedException {
+    return ask("get_ros_version", Map.of(), answer -> Trees.text(answer, "distro"));
   }
 
   /**

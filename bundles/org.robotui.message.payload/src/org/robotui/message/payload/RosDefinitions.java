@@ -8,6 +8,7 @@ import org.robotui.message.LocalDefinitions;
 import org.robotui.message.MessageRegistry;
 import org.robotui.message.MessageSchema;
 import org.robotui.message.SchemaLookup;
+import org.robotui.message.ServiceSchema;
 
 /** Definitions of both generations of ROS: those that are shipped, and those of this machine. Safe for all threads. */
 public final class RosDefinitions {
@@ -33,6 +34,16 @@ public final class RosDefinitions {
    */
   public SchemaLookup<MessageSchema> of(String type, Generation generation) {
     return registries.get(generation).message(type);
+  }
+
+  /**
+   * The definition of a service of ROS 2 that is known here; files may be read for that.
+   *
+   * @param type a type of services, of two parts or three
+   * @return the definition, or why there is none
+   */
+  public SchemaLookup<ServiceSchema> ros2Service(String type) {
+    return registries.get(Generation.ROS2).service(type);
   }
 
   /**

@@ -1,6 +1,7 @@
 package org.robotui.rfic.rosbridge.internal;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
@@ -87,12 +88,29 @@ class RosbridgeRficTest {
 
   @Test
   void parametersAreReadAndSet() throws CallException {
-    server.parameters.put("/speed", "0.5");
+    server.settings.values.put("speed", Map.of("type", 3, "double_value", 0.5));
     Browser browser = context.browsers.get("graph");
-    assertEquals(Optional.of(0.5), browser.parameter("/speed"));
-    browser.setParameter("/speed", List.of(1L, 2L));
-    assertEquals(Optional.of(List.of(1L, 2L)), browser.parameter("/speed"));
-    assertEquals(Optional.empty(), browser.parameter("/none"));
+    assertEquals(List.of("/base/speed"),
+        browser.list(Browser.Kind.PARAMETER).stream().map(Browser.Item::name).toList());
+    assertEquals(Optional.of(0.5), browser.parameter("/base/speed"));
+    browser.setParameter("/base/speed", 1L);
+    assertEquals(Optional.of(1.0), browser.parameter("/base/speed"), "a whole number for a real one");
+    assertEquals(Optional.empty(), browser.parameter("/base/none"));
+  }
+
+  @Test
+  void noQuestionIsAskedThatWouldEndTheRobotsRosapi() throws CallException {
+    Browser browser = context.browsers.get("graph");
+    for (Browser.Kind kind : List.of(Browser.Kind.TOPIC, Browser.Kind.SERVICE, Browser.Kind.PARAMETER)) {
+      for (Browser.Item item : browser.list(kind)) {
+        try {
+          browser.describe(item);
+        } catch (CallException e) {
+          assertTrue(e.getMessage().startsWith("odd_srvs/srv/Echo is not known here"), e.getMessage());
+        }
+      }
+    }
+    assertFalse(server.rosapiEnded);
   }
 
   @Test

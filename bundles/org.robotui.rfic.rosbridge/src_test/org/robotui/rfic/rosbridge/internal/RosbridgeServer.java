@@ -26,7 +26,10 @@ import org.robotui.web.tree.JsonText;
 import org.robotui.web.tree.TreeException;
 import org.robotui.web.tree.Trees;
 
-/** A bridge that keeps protocol 2, with a node rosapi and one more, which has a laser, odometry and wheels. */
+/**
+ * A bridge that keeps protocol 2, with a node rosapi and one more, which has a laser, odometry and wheels. Of ROS 2 its
+ * rosapi ends on the same questions as that of rosbridge_suite 2.1.0.
+ */
 final class RosbridgeServer implements WebCaller, AutoCloseable {
   private static final Map<String, String> TOPICS = Map.of("/odom", "nav_msgs/Odometry", "/scan",
       "sensor_msgs/LaserScan", "/cmd_vel", "geometry_msgs/Twist");
@@ -36,6 +39,9 @@ final class RosbridgeServer implements WebCaller, AutoCloseable {
   private static final Map<String, Object> SET_BOOL_ANSWER = Map.of("type", "std_srvs/SetBoolResponse", "fieldnames",
       List.of("success", "message"), "fieldtypes", List.of("bool", "string"), "fieldarraylen", List.of(-1, -1));
 
+  private static final List<String> ENDING = List.of("message_details", "service_request_details",
+      "service_response_details", "get_param_names", "get_param", "set_param");
+
   /** A subscription of a client. */
   record Subscription(WebServerLink link, String topic, String compression) {}
 
@@ -44,12 +50,14 @@ final class RosbridgeServer implements WebCaller, AutoCloseable {
   final Map<String, String> advertised = new ConcurrentHashMap<>();
   final Queue<Map<String, Object>> said = new ConcurrentLinkedQueue<>();
   final Map<String, String> parameters = new ConcurrentHashMap<>();
+  final ParameterNode settings = new ParameterNode();
   /** The services that clients offer, with their types. */
   final Map<String, String> services = new ConcurrentHashMap<>();
   final Queue<Map<String, Object>> responses = new ConcurrentLinkedQueue<>();
   /** How often each service was called. */
   final Map<String, AtomicInteger> asked = new ConcurrentHashMap<>();
   final List<String> nodes = new CopyOnWriteArrayList<>(List.of("/base", "/rosbridge_websocket"));
+  volatile boolean rosapiEnded;
   private final Generation generation;
   private final List<WebServerLink> links = new CopyOnWriteArrayList<>();
   private final WebServer server;
@@ -150,7 +158,13 @@ final class RosbridgeServer implements WebCaller, AutoCloseable {
     Map<String, Object> answer = new LinkedHashMap<>(Map.of("op", "service_response", "service", service, "id",
         Trees.text(call, "id"), "result", true));
     asked.computeIfAbsent(service, s -> new AtomicInteger()).incrementAndGet();
-    switch (service.replaceFirst("/rosapi/", "")) {
+    String question = service.replaceFirst("/rosapi/", "");
+    rosapiEnded |= generation == Generation.ROS2 && ENDING.contains(question);
+    if (rosapiEnded && service.startsWith("/rosapi/")) {
+      answer.putAll(Map.of("result", false, "values", "Service " + service + " does not exist"));
+      return answer;
+    }
+    switch (question) {
       case "topics" -> answer.put("values", Map.of("topics", List.copyOf(TOPICS.keySet()), "types",
           TOPICS.values().stream().map(this::written).toList()));
       case "nodes" -> answer.put("values", Map.of("nodes", nodes));
@@ -158,8 +172,15 @@ final class RosbridgeServer implements WebCaller, AutoCloseable {
       case "message_details" -> answer.put("values", Map.of("typedefs", types(Trees.text(arguments, "type"))));
       case "service_request_details" -> answer.put("values", Map.of("typedefs", List.of(SET_BOOL)));
       case "service_response_details" -> answer.put("values", Map.of("typedefs", List.of(SET_BOOL_ANSWER)));
-      case "services" -> answer.put("values", Map.of("services", List.of("/echo")));
-      case "service_type" -> answer.put("values", Map.of("type", "odd_srvs/Echo"));
+      case "topics_and_raw_types" -> answer.put("values", Map.of("topics", List.copyOf(TOPICS.keySet()), "types",
+          TOPICS.values().stream().map(this::written).toList(), "typedefs_full_text",
+          TOPICS.values().stream().map(type -> schema(type).info().definition()).toList()));
+      case "get_ros_version" -> answer.put("values", Map.of("version", 2, "distro", "jazzy"));
+      case "services" -> answer.put("values", Map.of("services", List.of("/echo", "/base/list_parameters")));
+      case "service_type" -> answer.put("values",
+          Map.of("type", generation == Generation.ROS2 ? "odd_srvs/srv/Echo" : "odd_srvs/Echo"));
+      case "/base/list_parameters", "/base/get_parameters",
+          "/base/set_parameters" -> answer.put("values", settings.answer(service, arguments));
       case "get_param_names" -> answer.put("values", Map.of("names", List.copyOf(parameters.keySet())));
       case "get_param" -> answer.put("values",
           Map.of("value", parameters.getOrDefault(Trees.text(arguments, "name"), "")));
@@ -188,11 +209,15 @@ final class RosbridgeServer implements WebCaller, AutoCloseable {
   }
 
   private List<Map<String, Object>> types(String type) {
-    MessageRegistry known = new MessageRegistry(new LocalDefinitions(List.of(), List.of(), generation), generation);
-    MessageSchema schema = ((SchemaLookup.Found<MessageSchema>) known.message(type)).schema();
+    MessageSchema schema = schema(type);
     List<Map<String, Object>> types = new ArrayList<>(List.of(details(schema.definition())));
     schema.nested().values().forEach(each -> types.add(details(each)));
     return types;
+  }
+
+  private MessageSchema schema(String type) {
+    MessageRegistry known = new MessageRegistry(new LocalDefinitions(List.of(), List.of(), generation), generation);
+    return ((SchemaLookup.Found<MessageSchema>) known.message(type)).schema();
   }
 
   private static Map<String, Object> details(MessageDefinition definition) {

@@ -17,24 +17,32 @@ import org.robotui.message.data.MessageShapes;
 import org.robotui.message.payload.JsonValues;
 import org.robotui.message.payload.RosDefinitions;
 import org.robotui.message.topic.CallOutcomes;
+import org.robotui.rfic.rosbridge.internal.session.BridgeDefinitions;
+import org.robotui.rfic.rosbridge.internal.session.BridgeDefinitions.ServiceText;
 import org.robotui.rfic.rosbridge.internal.session.RosApiWatch;
 import org.robotui.rosbridge.RosApi.NodeDetails;
 import org.robotui.rosbridge.RosApi;
 
-/** What a robot behind a bridge has, as rosapi says. */
+/** What a robot behind a bridge has, as rosapi and its nodes say. */
 public final class BridgeBrowser implements Browser {
   private final RosApi api;
+  private final BridgeDefinitions definitions;
   private final RosApiWatch watch;
+  private final BridgeParameters parameters;
 
   /**
    * Creates a browser.
    *
    * @param api asks
+   * @param definitions of messages and services
    * @param watch knows topics and nodes
+   * @param parameters of nodes
    */
-  public BridgeBrowser(RosApi api, RosApiWatch watch) {
+  public BridgeBrowser(RosApi api, BridgeDefinitions definitions, RosApiWatch watch, BridgeParameters parameters) {
     this.api = api;
+    this.definitions = definitions;
     this.watch = watch;
+    this.parameters = parameters;
   }
 
   @Override
@@ -44,7 +52,7 @@ public final class BridgeBrowser implements Browser {
           .map(e -> new Item(kind, e.getKey(), Generation.plainName(e.getValue()))).toList();
       case SERVICE -> named(kind, CallOutcomes.asked(api::services));
       case NODE -> named(kind, List.copyOf(watch.browsed().nodes().keySet()));
-      case PARAMETER -> named(kind, CallOutcomes.asked(api::parameters));
+      case PARAMETER -> named(kind, parameters.names());
       case ACTION, TUNABLE -> List.of();
     };
   }
@@ -70,17 +78,16 @@ public final class BridgeBrowser implements Browser {
     facts.put("type", type);
     facts.put("publishers", joined(watch.browsed().ends(true).getOrDefault(item.name(), Set.of())));
     facts.put("subscribers", joined(watch.browsed().ends(false).getOrDefault(item.name(), Set.of())));
-    String text = CallOutcomes.asked(() -> api.message(type));
+    String text = CallOutcomes.asked(() -> definitions.message(type));
     return new Description(item, facts, Optional.of(text), shape(type, text), Optional.empty());
   }
 
   private Description service(Item item) throws CallException {
     String type = CallOutcomes.asked(() -> api.serviceType(item.name()));
-    String request = CallOutcomes.asked(() -> api.request(type));
-    String response = CallOutcomes.asked(() -> api.response(type));
+    ServiceText text = CallOutcomes.asked(() -> definitions.service(type));
     return new Description(new Item(item.kind(), item.name(), type), Map.of("type", type),
-        Optional.of(request + "\n---\n" + response), shape(type + "Request", request),
-        shape(type + "Response", response));
+        Optional.of(text.request() + "\n---\n" + text.response()), shape(type + "Request", text.request()),
+        shape(type + "Response", text.response()));
   }
 
   private Description node(Item item) throws CallException {
@@ -112,14 +119,12 @@ public final class BridgeBrowser implements Browser {
 
   @Override
   public Optional<Object> parameter(String name) throws CallException {
-    return CallOutcomes.asked(() -> api.parameter(name)).map(JsonValues::listed);
+    return parameters.value(name).map(JsonValues::listed);
   }
 
   @Override
   public void setParameter(String name, Object value) throws CallException {
-    if (!CallOutcomes.asked(() -> api.set(name, value))) {
-      throw new CallException(name + " was not set");
-    }
+    parameters.set(name, value);
   }
 
   @Override

@@ -20,6 +20,8 @@ import org.robotui.message.topic.CallOutcomes;
 import org.robotui.message.topic.ServiceHosting;
 import org.robotui.message.topic.ServiceRefusals;
 import org.robotui.net.call.Outcome;
+import org.robotui.rfic.rosbridge.internal.session.BridgeDefinitions;
+import org.robotui.rfic.rosbridge.internal.session.BridgeDefinitions.ServiceText;
 import org.robotui.rfic.rosbridge.internal.session.BridgeTopics;
 import org.robotui.rosbridge.BridgeResponder;
 import org.robotui.rosbridge.RosApi;
@@ -29,6 +31,7 @@ import org.robotui.rosbridge.RosbridgeClient;
 public final class BridgeHosting implements ServiceHosting {
   private final RosbridgeClient client;
   private final RosApi api;
+  private final BridgeDefinitions definitions;
   private final BridgeTopics topics;
   private final Set<String> own = ConcurrentHashMap.newKeySet();
 
@@ -36,12 +39,14 @@ public final class BridgeHosting implements ServiceHosting {
    * Offers nothing yet.
    *
    * @param client offers
-   * @param api knows types
+   * @param api knows what there is
+   * @param definitions of services
    * @param topics knows how the robot writes messages
    */
-  public BridgeHosting(RosbridgeClient client, RosApi api, BridgeTopics topics) {
+  public BridgeHosting(RosbridgeClient client, RosApi api, BridgeDefinitions definitions, BridgeTopics topics) {
     this.client = client;
     this.api = api;
+    this.definitions = definitions;
     this.topics = topics;
   }
 
@@ -49,10 +54,9 @@ public final class BridgeHosting implements ServiceHosting {
   public SchemaLookup<ServiceSchema> schema(String type) {
     Generation generation = topics.commandFormat().generation();
     try {
-      String request = CallOutcomes.asked(() -> api.request(written(type)));
-      String response = CallOutcomes.asked(() -> api.response(written(type)));
-      return new SchemaLookup.Found<>(new ServiceSchema(type, "", MessageSchema.parse(type + "Request", request,
-          generation), MessageSchema.parse(type + "Response", response, generation)));
+      ServiceText text = CallOutcomes.asked(() -> definitions.service(written(type)));
+      return new SchemaLookup.Found<>(new ServiceSchema(type, "", MessageSchema.parse(type + "Request", text.request(),
+          generation), MessageSchema.parse(type + "Response", text.response(), generation)));
     } catch (CallException | DefinitionException e) {
       return new SchemaLookup.Missing<>("the definition of " + type + " is not known: " + e.getMessage());
     }

@@ -12,6 +12,8 @@ import org.robotui.message.payload.JsonFormat;
 import org.robotui.message.payload.JsonRecord;
 import org.robotui.message.topic.CallOutcomes;
 import org.robotui.net.call.Outcome;
+import org.robotui.rfic.rosbridge.internal.session.BridgeDefinitions;
+import org.robotui.rfic.rosbridge.internal.session.BridgeDefinitions.ServiceText;
 import org.robotui.rfic.rosbridge.internal.session.BridgeTopics;
 import org.robotui.rosbridge.RosApi;
 import org.robotui.rosbridge.RosbridgeClient;
@@ -20,18 +22,21 @@ import org.robotui.rosbridge.RosbridgeClient;
 public final class BridgeServices implements CallHandler<ServiceRequest, ServiceReply> {
   private final RosbridgeClient client;
   private final RosApi api;
+  private final BridgeDefinitions definitions;
   private final BridgeTopics topics;
 
   /**
    * Creates a caller.
    *
    * @param client calls
-   * @param api knows types
+   * @param api knows what there is
+   * @param definitions of services
    * @param topics knows how the robot writes messages
    */
-  public BridgeServices(RosbridgeClient client, RosApi api, BridgeTopics topics) {
+  public BridgeServices(RosbridgeClient client, RosApi api, BridgeDefinitions definitions, BridgeTopics topics) {
     this.client = client;
     this.api = api;
+    this.definitions = definitions;
     this.topics = topics;
   }
 
@@ -47,13 +52,13 @@ public final class BridgeServices implements CallHandler<ServiceRequest, Service
 
   private Map<String, Object> arguments(String type, ServiceRequest request)
       throws CallException, InterruptedException {
-    Outcome<String> text = api.request(type);
-    if (!(text instanceof Outcome.Done<String> done)) {
+    Outcome<ServiceText> text = definitions.service(type);
+    if (!(text instanceof Outcome.Done<ServiceText> done)) {
       return request.arguments();
     }
     try {
       MessageSchema schema =
-          MessageSchema.parse(type + "Request", done.value(), topics.commandFormat().generation());
+          MessageSchema.parse(type + "Request", done.value().request(), topics.commandFormat().generation());
       return topics.commandFormat().tree(JsonFormat.message(schema, request.arguments()));
     } catch (DefinitionException e) {
       return request.arguments();

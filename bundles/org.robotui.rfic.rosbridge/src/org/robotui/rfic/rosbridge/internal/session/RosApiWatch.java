@@ -12,7 +12,6 @@ import java.util.concurrent.TimeUnit;
 import org.robotui.message.DefinitionException;
 import org.robotui.message.MessageSchema;
 import org.robotui.message.SchemaLookup;
-import org.robotui.message.payload.RosDefinitions;
 import org.robotui.net.call.Outcome;
 import org.robotui.rosbridge.RosApi;
 
@@ -26,7 +25,7 @@ public final class RosApiWatch implements AutoCloseable {
   private static final Duration ATTENTION = Duration.ofSeconds(10);
 
   private final RosApi api;
-  private final RosDefinitions definitions;
+  private final BridgeDefinitions definitions;
   private final Thread thread;
   private final BlockingQueue<String> wanted = new LinkedBlockingQueue<>();
   private final Map<String, SchemaLookup<MessageSchema>> schemas = new ConcurrentHashMap<>();
@@ -36,7 +35,7 @@ public final class RosApiWatch implements AutoCloseable {
   private volatile Optional<String> problem = Optional.empty();
   private volatile boolean answered;
 
-  RosApiWatch(RosApi api, RosDefinitions definitions, ThreadFactory threads) {
+  RosApiWatch(RosApi api, BridgeDefinitions definitions, ThreadFactory threads) {
     this.api = api;
     this.definitions = definitions;
     this.thread = threads.newThread(this::run);
@@ -89,19 +88,17 @@ public final class RosApiWatch implements AutoCloseable {
     }
   }
 
-  /** What the robot says; where it says nothing, what is known here. */
   private SchemaLookup<MessageSchema> learned(String type) throws InterruptedException {
     String written = graph.written(type);
-    Outcome<String> text = api.message(written);
-    if (text instanceof Outcome.Done<String> done) {
-      try {
-        return new SchemaLookup.Found<>(MessageSchema.parse(written, done.value(), graph.generation()));
-      } catch (DefinitionException e) {
-        return new SchemaLookup.Missing<>(e.getMessage());
-      }
+    Outcome<String> text = definitions.message(written);
+    if (!(text instanceof Outcome.Done<String> done)) {
+      return new SchemaLookup.Missing<>(text.reason());
     }
-    return definitions.find(written).<SchemaLookup<MessageSchema>>map(SchemaLookup.Found::new)
-        .orElseGet(() -> new SchemaLookup.Missing<>(text.reason()));
+    try {
+      return new SchemaLookup.Found<>(MessageSchema.parse(written, done.value(), graph.generation()));
+    } catch (DefinitionException e) {
+      return new SchemaLookup.Missing<>(e.getMessage());
+    }
   }
 
   /**

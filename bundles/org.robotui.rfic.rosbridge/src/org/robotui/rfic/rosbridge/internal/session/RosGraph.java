@@ -50,8 +50,12 @@ public record RosGraph(Map<String, String> types, Map<String, NodeDetails> nodes
     return typed;
   }
 
-  /** Which ROS it is, by how it writes the names of types. */
-  Generation generation() {
+  /**
+   * Which ROS it is, by how it writes the names of types.
+   *
+   * @return the generation
+   */
+  public Generation generation() {
     return types.values().stream().anyMatch(RosDefinitions::isOfThreeParts) ? Generation.ROS2 : Generation.ROS1;
   }
 

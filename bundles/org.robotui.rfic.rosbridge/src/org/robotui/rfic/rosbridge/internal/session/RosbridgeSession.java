@@ -28,6 +28,7 @@ import org.robotui.message.topic.TopicPorts;
 import org.robotui.rfic.rosbridge.internal.RosbridgeSettings;
 import org.robotui.rfic.rosbridge.internal.call.BridgeBrowser;
 import org.robotui.rfic.rosbridge.internal.call.BridgeHosting;
+import org.robotui.rfic.rosbridge.internal.call.BridgeParameters;
 import org.robotui.rfic.rosbridge.internal.call.BridgeServices;
 import org.robotui.rosbridge.RosApi;
 import org.robotui.rosbridge.RosbridgeClient;
@@ -62,19 +63,21 @@ public final class RosbridgeSession implements RobotSession {
     this.link = new LinkChanges(context.link());
     RosDefinitions definitions = new RosDefinitions(System.getenv());
     RosApi api = new RosApi(client, ANSWER);
-    this.watch = new RosApiWatch(api, definitions, context.threads());
+    BridgeDefinitions types = new BridgeDefinitions(api, definitions);
+    this.watch = new RosApiWatch(api, types, context.threads());
     this.channels = new BridgeTopics(client, watch, definitions, settings);
     this.topics = new RobotTopics(context, settings.topics(), channels,
         new SharedTransforms(name -> watch.graph().types().keySet().stream()
             .anyMatch(topic -> topic.startsWith("/" + name + "/"))));
     this.description = new DescriptionTopics(context, settings.topics(),
         DescriptionTopics.packages(System.getenv()), channels);
-    this.served = new ServedServices(new BridgeHosting(client, api, channels), settings.topics());
+    this.served = new ServedServices(new BridgeHosting(client, api, types, channels), settings.topics());
     this.status = context.offers().stream(STATUS, Demand.IGNORED);
     this.offers = List.of(status,
-        context.offers().call(TopicPorts.SERVICES, new BridgeServices(client, api, channels)),
+        context.offers().call(TopicPorts.SERVICES, new BridgeServices(client, api, types, channels)),
         context.offers().call(TopicPorts.SERVE, served),
-        context.offers().browse(TopicPorts.GRAPH, new BridgeBrowser(api, watch)));
+        context.offers().browse(TopicPorts.GRAPH,
+            new BridgeBrowser(api, types, watch, new BridgeParameters(client, api, watch))));
   }
 
   /**
