@@ -15,6 +15,9 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BooleanSupplier;
 import org.eclipse.core.commands.ParameterizedCommand;
+import org.eclipse.e4.ui.model.application.ui.menu.MMenuFactory;
+import org.eclipse.e4.ui.workbench.renderers.swt.MenuManagerRenderer;
+import org.eclipse.e4.ui.workbench.swt.factories.IRendererFactory;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.graphics.RGB;
 import org.eclipse.swt.widgets.Control;
@@ -152,6 +155,32 @@ class WorkbenchTest {
 
   @Test
   @Order(7)
+  void ofTheMenusThatTheSearchFillsNothingIsKept() throws Exception {
+    openAndCloseTheSearch();
+    int before = keptOfMenus();
+    for (int i = 0; i < 3; i++) {
+      openAndCloseTheSearch();
+    }
+    assertEquals(before, keptOfMenus());
+  }
+
+  private void openAndCloseTheSearch() throws Exception {
+    run("org.robotui.workbench.command.search", Map.of());
+    List<Control> panes = widgets("SearchPane");
+    assertEquals(1, panes.size());
+    panes.getFirst().dispose();
+  }
+
+  /** What the platform contributed to menus, and remembers. */
+  @SuppressWarnings("restriction") // the platform says it nowhere else
+  private int keptOfMenus() {
+    MenuManagerRenderer renderer = (MenuManagerRenderer) window.getService(IRendererFactory.class)
+        .getRenderer(MMenuFactory.INSTANCE.createMenu(), null);
+    return renderer.getContributionRecords().length;
+  }
+
+  @Test
+  @Order(8)
   void theEndWaitsNoLongerThanItMayForARobotThatHangs() throws Exception {
     load("stuck");
     until(() -> host.ruics().size() == 2, "both are there");

@@ -1,6 +1,7 @@
 package org.robotui.workbench.internal.rcp;
 
 import java.util.List;
+import java.util.Optional;
 import org.eclipse.e4.ui.model.application.ui.menu.MMenu;
 import org.eclipse.e4.ui.model.application.ui.menu.MMenuElement;
 import org.eclipse.e4.ui.model.application.ui.menu.MMenuFactory;
@@ -12,9 +13,9 @@ import org.eclipse.ui.menus.IMenuService;
 import org.eclipse.ui.services.IServiceLocator;
 
 /**
- * Menus that the platform fills with what all bundles contribute. What it knows of the items of such a menu it keeps
- * for ever, also when the menu was released, unless it is told item by item: the search fills six menus each time that
- * it opens. Display thread only.
+ * Menus that the platform fills with what all bundles contribute. What it knows of such a menu and of its items it
+ * keeps for ever, also when the menu was released, unless it is told one by one: the search fills six menus each time
+ * that it opens. Display thread only.
  */
 @SuppressWarnings("restriction") // the platform has no public way to have the items of a menu forgotten
 final class FilledMenus {
@@ -35,9 +36,12 @@ final class FilledMenus {
   void release(MenuManager manager) {
     MMenu any = MMenuFactory.INSTANCE.createMenu();
     List<IContributionItem> items = List.of(manager.getItems());
-    service.releaseContributions(manager);
     if (renderers.getRenderer(any, null) instanceof MenuManagerRenderer renderer) {
+      Optional<MMenu> model = Optional.ofNullable(renderer.getMenuModel(manager));
+      service.releaseContributions(manager);
       items.forEach(item -> forget(renderer, item));
+      model.ifPresent(renderer::cleanUp);
+      model.ifPresent(known -> renderer.clearModelToManager(known, manager));
     }
     manager.dispose();
   }
