@@ -16,6 +16,7 @@ public final class Labels {
       case Expr.Average a -> "mean " + Numerals.text(a.seconds()) + "\u00a0s " + inner(a.of());
       case Expr.Scale s -> scale(s);
       case Expr.Difference d -> inner(d.of()) + " \u2212 " + inner(d.less());
+      case Expr.Over o -> of(o.of());
       case Expr.Norm n -> n.of().stream().map(Labels::of).collect(Collectors.joining(", ", "|", "|"));
     };
   }

@@ -26,7 +26,9 @@ public final class PlotOptions {
   public static final List<String> COLOURS = List.of("blue", "orange", "green", "purple", "brown", "pink", "grey");
 
   static final String TRACES = "traces";
+  static final String X = "x";
   static final String RANGE = "range";
+  static final String RANGE_X = "range_x";
   static final String RANGE_RIGHT = "range_right";
   static final String SIGNAL = "signal";
   static final String SOURCE = "source";
@@ -74,6 +76,9 @@ public final class PlotOptions {
   private static final Schema AXIS = Schema.of(
       Setting.of(TRACES, new ValueType.ListOf(new ValueType.AnyOf(List.of(SIGNAL_TEXT, new ValueType.Section(TRACE)))),
           List.of(), "The traces, each a signal or a group."),
+      Setting.optional(X, SIGNAL_TEXT,
+          "The signal over which the traces are shown, for example base./odom:pose.translation.x; without, that is time."),
+      Setting.of(RANGE_X, RANGE_TYPE, YRange.AUTO, "With x: its scale."),
       Setting.of(RANGE, RANGE_TYPE, YRange.AUTO, "The left scale: auto, hold (never shrinks), or [low, high]."),
       Setting.of(RANGE_RIGHT, RANGE_TYPE, YRange.AUTO, "The right scale."));
 

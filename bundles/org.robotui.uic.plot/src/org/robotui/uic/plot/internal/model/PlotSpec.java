@@ -31,6 +31,18 @@ public record PlotSpec(List<AxisSpec> axes, double window, boolean byStamp, bool
     return axes.stream().allMatch(a -> a.traces().isEmpty());
   }
 
+  /** All signals and what they are shown over, each once. */
+  public Stream<String> texts() {
+    return Stream.concat(signals(), axes.stream().flatMap(a -> a.x().stream())).distinct();
+  }
+
+  /** With a signal over another one: on the first axis that has this one as its scale, else on a new one. */
+  public PlotSpec plusCurve(String x, TraceSpec trace) {
+    int there = axes.stream().map(AxisSpec::x).toList().indexOf(Optional.of(x));
+    return there >= 0 ? withAxis(there, a -> a.plus(trace))
+        : withAxes(Stream.concat(axes.stream(), Stream.of(AxisSpec.EMPTY.over(Optional.of(x)).plus(trace))).toList());
+  }
+
   /** All signals, each once. */
   public Stream<String> signals() {
     return axes.stream().flatMap(a -> a.traces().stream()).map(TraceSpec::signal).distinct();

@@ -54,6 +54,7 @@ public final class Units {
       case Expr.Average a -> of(a.of(), known);
       case Expr.Scale s -> s.factor() == 1 ? of(s.of(), known) : "";
       case Expr.Difference d -> common(List.of(d.of(), d.less()), known);
+      case Expr.Over o -> of(o.of(), known);
       case Expr.Norm n -> common(n.of(), known);
     };
   }

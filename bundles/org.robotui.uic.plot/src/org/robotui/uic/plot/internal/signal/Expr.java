@@ -105,6 +105,19 @@ public sealed interface Expr {
     }
   }
 
+  /** One over another: the points of a curve, at the times of the first. */
+  record Over(Expr of, Expr x) implements Expr {
+    @Override
+    public Stream<Field> fields() {
+      return Stream.concat(of.fields(), x.fields());
+    }
+
+    @Override
+    public String toString() {
+      return of + " over " + x;
+    }
+  }
+
   /** The length of the vector of several, at the times of the first. */
   record Norm(List<Expr> of) implements Expr {
     public Norm {

@@ -22,6 +22,13 @@ public record Pipeline(List<Input> inputs) {
     return new Pipeline(inputs);
   }
 
+  /** Of a curve, both signals of which are computed. */
+  public static Pipeline of(Expr.Over curve, PairSink out) {
+    List<Input> inputs = new ArrayList<>();
+    join(List.of(curve.of(), curve.x()), new JoinNode(2, (time, v) -> out.accept(time, v[1], v[0])), inputs);
+    return new Pipeline(inputs);
+  }
+
   private static void build(Expr expr, Sink out, List<Input> inputs) {
     switch (expr) {
       case Expr.Field f -> inputs.add(new Input(f, out));
@@ -29,8 +36,9 @@ public record Pipeline(List<Input> inputs) {
       case Expr.Integral i -> build(i.of(), new IntegralNode(out), inputs);
       case Expr.Average a -> build(a.of(), new AverageNode(a.seconds(), out), inputs);
       case Expr.Scale s -> build(s.of(), (time, value) -> out.accept(time, value * s.factor() + s.offset()), inputs);
-      case Expr.Difference d -> join(List.of(d.of(), d.less()), new JoinNode(2, v -> v[0] - v[1], out), inputs);
-      case Expr.Norm n -> join(n.of(), new JoinNode(n.of().size(), Pipeline::norm, out), inputs);
+      case Expr.Difference d -> join(List.of(d.of(), d.less()), new JoinNode(2, (time, v) -> out.accept(time, v[0] - v[1])), inputs);
+      case Expr.Norm n -> join(n.of(), new JoinNode(n.of().size(), (time, v) -> out.accept(time, norm(v))), inputs);
+      case Expr.Over o -> inputs.addAll(of(o, (time, x, y) -> out.accept(time, y)).inputs());
     }
   }
 

@@ -12,6 +12,9 @@ import org.robotui.uic.plot.internal.signal.ExprParser;
 
 /** Changes what is configured; the settings keep it. */
 public final class Edits {
+  /** Between a signal and the one over which it is shown. */
+  static final String OVER = " over ";
+
   private final SettingsStore settings;
 
   public Edits(SettingsStore settings) {
@@ -36,8 +39,34 @@ public final class Edits {
     settings.set(name, value);
   }
 
+  /** Shows an axis over a signal; says what is wrong, if anything. */
+  Optional<String> over(String signal, int axis) {
+    try {
+      String read = ExprParser.parse(signal.strip()).toString();
+      axes(spec -> spec.withAxis(axis, a -> a.over(Optional.of(read))));
+      return Optional.empty();
+    } catch (IllegalArgumentException e) {
+      return Optional.of(e.getMessage());
+    }
+  }
+
+  /** Adds one signal over another. */
+  void curve(String signal, String x) {
+    axes(spec -> spec.plusCurve(x, TraceSpec.of(signal)));
+  }
+
+  /** One over another: {@code base./odom:pose.translation.y over base./odom:pose.translation.x}. */
+  private static PlotSpec plus(PlotSpec spec, int axis, String line) {
+    int over = line.indexOf(OVER);
+    if (over < 0) {
+      return spec.plus(axis, TraceSpec.of(ExprParser.parse(line).toString()));
+    }
+    return spec.plusCurve(ExprParser.parse(line.substring(over + OVER.length())).toString(),
+        TraceSpec.of(ExprParser.parse(line.substring(0, over)).toString()));
+  }
+
   /**
-   * Adds traces, one a line; nothing where one of them cannot be read.
+   * Adds traces, one a line, each a signal or one over another; nothing where one of them cannot be read.
    *
    * @param axis to which; a new one where there are fewer
    * @return what is wrong, if anything
@@ -45,15 +74,14 @@ public final class Edits {
   public Optional<String> add(String text, int axis) {
     List<String> lines = text.lines().map(String::strip).filter(l -> !l.isEmpty()).toList();
     try {
-      List<String> signals = lines.stream().map(l -> ExprParser.parse(l).toString()).toList();
       axes(spec -> {
         PlotSpec more = spec;
-        for (String signal : signals) {
-          more = more.plus(axis, TraceSpec.of(signal));
+        for (String line : lines) {
+          more = plus(more, axis, line);
         }
         return more;
       });
-      return signals.isEmpty() ? Optional.of("there is no text in it") : Optional.empty();
+      return lines.isEmpty() ? Optional.of("there is no text in it") : Optional.empty();
     } catch (IllegalArgumentException e) {
       return Optional.of(e.getMessage());
     }

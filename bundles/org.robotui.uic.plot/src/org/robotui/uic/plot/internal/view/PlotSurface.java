@@ -124,7 +124,7 @@ public final class PlotSurface implements ViewSurface {
     if (stream.fields().isEmpty()) {
       choose(stream.port());
     } else {
-      ports.signals(PortAdder.signals(stream.port(), stream.fields()), lastAxis());
+      ports.signals(PortAdder.signals(stream.port(), stream.fields()), new DropZone.Place(lastAxis(), false));
     }
   }
 
@@ -324,6 +324,12 @@ public final class PlotSurface implements ViewSurface {
     @Override
     public void add(String signals, int axis) {
       edits.add(signals, axis).ifPresent(this::refuse);
+    }
+
+    @Override
+    public void over(String signal, int axis) {
+      edits.over(signal, axis).ifPresent(this::refuse);
+      state.unzoom(axis);
     }
 
     @Override

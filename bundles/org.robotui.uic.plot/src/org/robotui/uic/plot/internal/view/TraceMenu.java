@@ -41,6 +41,7 @@ final class TraceMenu {
     menu.push("Remove", () -> edits.axes(s -> s.without(ref)));
     menu.line();
     derive(menu.under("Derive"), scene, ref, spec.signal());
+    over(menu.under("Plot over"), scene, spec.signal());
     colours(menu.under("Colour"), ref, trace.colour());
     styles(menu.under("Line"), ref, spec.style());
     menu.check("Right scale", spec.right(), now -> change(ref, t -> t.withRight(!t.right())));
@@ -78,6 +79,13 @@ final class TraceMenu {
       menu.push("Norm of all on this axis",
           () -> add(ref, same.stream().map(t -> t.spec().signal()).collect(Collectors.joining(", ", "norm(", ")"))));
     }
+  }
+
+  /** On an axis of its own, or on the one that has that scale already. */
+  private void over(PopupMenu menu, PlotScene scene, String signal) {
+    scene.traces().filter(t -> !t.spec().signal().equals(signal))
+        .forEach(t -> menu.push(t.label(), () -> edits.curve(signal, t.spec().signal())));
+    menu.push("Another\u2026", () -> type.accept(signal + Edits.OVER));
   }
 
   private void others(PopupMenu menu, PlotScene scene, TraceRef ref, String signal) {

@@ -27,6 +27,8 @@ class PlotCodecTest {
         Optional.of(LineStyle.STEP), true, true);
     List<AxisSpec> axes = List.of(
         new AxisSpec(List.of(TraceSpec.of("a.b:c"), full), new YRange.Fixed(-1.5, 2), new YRange.Hold()),
+        new AxisSpec(List.of(TraceSpec.of("a.b:y")), new YRange.Auto(), new YRange.Auto(), Optional.of("a.b:x"),
+            new YRange.Fixed(-1, 1)),
         AxisSpec.EMPTY);
     settings.set(PlotOptions.AXES, PlotCodec.write(axes));
     assertEquals(axes, PlotCodec.read(settings.current()).axes());

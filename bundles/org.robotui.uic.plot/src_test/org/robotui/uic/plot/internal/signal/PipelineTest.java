@@ -160,6 +160,20 @@ class PipelineTest {
   }
 
   @Test
+  void ofManyPairsThoseFarthestOutAreKept() {
+    List<String> kept = new ArrayList<>();
+    ThinningPairs thinning = new ThinningPairs(100, (time, x, y) -> kept.add(time + ": " + x + ", " + y));
+    for (int i = 0; i < 150; i++) {
+      thinning.accept(i, i == 7 ? 9 : 0, i == 50 ? -3 : i == 120 ? 4 : 0);
+    }
+    thinning.accept(150, NAN, 0);
+    thinning.accept(151, 1, 1);
+    thinning.flush();
+    assertEquals(List.of("0: 0.0, 0.0", "7: 9.0, 0.0", "50: 0.0, -3.0", "100: 0.0, 0.0", "120: 0.0, 4.0",
+        "150: NaN, 0.0", "151: 1.0, 1.0"), kept);
+  }
+
+  @Test
   void timesOfResultsNeverFall() {
     Random random = new Random(3);
     Pipeline pipeline = of("derivative(average(difference(derivative(a.b:c), average(d.e:f, 0.1)), 0.2))");
