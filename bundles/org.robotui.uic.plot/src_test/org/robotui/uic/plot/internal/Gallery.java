@@ -24,7 +24,10 @@ import org.robotui.ui.Themes;
 import org.robotui.ui.UiContext;
 import org.robotui.uic.plot.internal.model.PlotOptions;
 
-/** Shows the view in all its states side by side, for a person to look at: {@code Gallery dark|light [2|recorded|curves]}. */
+/**
+ * Shows the view in all its states side by side, for a person to look at:
+ * {@code Gallery dark|light [2|recorded|curves]}.
+ */
 final class Gallery {
   private final GalleryWindow window;
   private final Theme theme;

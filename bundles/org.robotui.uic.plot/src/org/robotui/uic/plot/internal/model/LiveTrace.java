@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import org.robotui.api.port.Envelope;
 import org.robotui.data.record.DynamicRecord;
+import org.robotui.data.record.FieldUnits;
 import org.robotui.uic.plot.internal.signal.Expr;
 import org.robotui.uic.plot.internal.trace.Samples;
 import org.robotui.uic.plot.internal.trace.Series;
@@ -56,7 +57,7 @@ final class LiveTrace {
   /** Of the signal, or of one that it is made of. */
   String unit(Expr part) {
     return Units.of(part, f -> leaves.stream().filter(l -> l.field().equals(f)).findFirst()
-        .flatMap(Leaf::schema).map(schema -> Units.of(schema, f.path())).orElse(""));
+        .flatMap(Leaf::schema).map(schema -> FieldUnits.of(schema, f.path())).orElse(""));
   }
 
   /** Forgets all: the clock was set anew. */

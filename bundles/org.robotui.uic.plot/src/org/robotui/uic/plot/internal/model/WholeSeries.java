@@ -62,7 +62,8 @@ public final class WholeSeries {
         .forEach(this::drop);
     loads = loads.stream().filter(SeriesLoad::isWanted).toList();
     List<WholeTrace> fresh = new ArrayList<>();
-    long room = Math.max(now.memory(), most / Math.max(1, recorded.keySet().stream().mapToInt(WholeSeries::kept).sum()));
+    long room =
+        Math.max(now.memory(), most / Math.max(1, recorded.keySet().stream().mapToInt(WholeSeries::kept).sum()));
     recorded.forEach((expr, places) -> {
       if (!traces.containsKey(expr)) {
         WholeTrace made = new WholeTrace(expr, places, now.gap(), room, expected(expr, places));

@@ -6,6 +6,7 @@ import java.util.Optional;
 import org.robotui.api.port.InputState;
 import org.robotui.api.port.SourceId;
 import org.robotui.api.replay.StreamHistory;
+import org.robotui.data.record.FieldUnits;
 import org.robotui.uic.plot.internal.signal.Expr;
 import org.robotui.uic.plot.internal.trace.Series;
 
@@ -99,7 +100,7 @@ final class WholeTrace {
 
   private String unit(Expr part) {
     return Units.of(part, f -> leaves.stream().filter(l -> l.field().equals(f)).findFirst()
-        .flatMap(Leaf::schema).map(schema -> Units.of(schema, f.path())).orElse(""));
+        .flatMap(Leaf::schema).map(schema -> FieldUnits.of(schema, f.path())).orElse(""));
   }
 
   void end() {

@@ -4,8 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.robotui.api.input.TypedText;
 import org.robotui.api.input.Unreadable;
-import org.robotui.api.port.SourceId;
-import org.robotui.data.record.FieldPath;
+import org.robotui.api.port.StreamField;
 
 /**
  * Reads signals: {@code base./odom:twist.linear.x}, or a function of some:
@@ -129,14 +128,9 @@ public final class ExprParser {
   }
 
   private static Expr field(String word) {
-    int colon = word.lastIndexOf(':');
-    int dot = word.indexOf('.');
-    if (dot <= 0 || colon < dot + 2 || colon == word.length() - 1) {
-      throw new IllegalArgumentException(
-          "'" + word + "' is no signal; write SOURCE:PATH, for example base./odom:linear.x, or a function of it");
-    }
-    String path = FieldPath.parse(word.substring(colon + 1)).toString();
-    return new Expr.Field(new SourceId(word.substring(0, dot), word.substring(dot + 1, colon)), path);
+    StreamField field = StreamField.read(word).orElseThrow(() -> new IllegalArgumentException(
+        "'" + word + "' is no signal; write SOURCE:PATH, for example base./odom:linear.x, or a function of it"));
+    return new Expr.Field(field.source(), field.path().toString());
   }
 
   private String word() {

@@ -36,7 +36,8 @@ public record Pipeline(List<Input> inputs) {
       case Expr.Integral i -> build(i.of(), new IntegralNode(out), inputs);
       case Expr.Average a -> build(a.of(), new AverageNode(a.seconds(), out), inputs);
       case Expr.Scale s -> build(s.of(), (time, value) -> out.accept(time, value * s.factor() + s.offset()), inputs);
-      case Expr.Difference d -> join(List.of(d.of(), d.less()), new JoinNode(2, (time, v) -> out.accept(time, v[0] - v[1])), inputs);
+      case Expr.Difference d -> join(List.of(d.of(), d.less()),
+          new JoinNode(2, (time, v) -> out.accept(time, v[0] - v[1])), inputs);
       case Expr.Norm n -> join(n.of(), new JoinNode(n.of().size(), (time, v) -> out.accept(time, norm(v))), inputs);
       case Expr.Over o -> inputs.addAll(of(o, (time, x, y) -> out.accept(time, y)).inputs());
     }

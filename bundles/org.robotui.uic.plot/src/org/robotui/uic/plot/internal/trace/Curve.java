@@ -81,8 +81,8 @@ public final class Curve {
   }
 
   /**
-   * Draws what lies within a span of time for a screen. Points that a screen does not tell apart become one; where there
-   * are too many others, those furthest to each side are kept of so many in a row.
+   * Draws what lies within a span of time for a screen. Points that a screen does not tell apart become one; where
+   * there are too many others, those furthest to each side are kept of so many in a row.
    *
    * @param fineness how much of each scale a point of the screen shows
    * @param sketch is cleared and filled

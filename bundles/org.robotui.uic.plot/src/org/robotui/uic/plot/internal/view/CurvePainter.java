@@ -18,8 +18,8 @@ import org.robotui.uic.plot.internal.trace.CurveSketch;
 import org.robotui.uic.plot.internal.trace.TimeSpan;
 
 /**
- * Draws traces over other signals than time, and finds their points. What was worked out for a screen is kept as long as
- * nothing of it changes. Display thread.
+ * Draws traces over other signals than time, and finds their points. What was worked out for a screen is kept as long
+ * as nothing of it changes. Display thread.
  */
 final class CurvePainter {
   private static final float WEIGHT = 1.5f;

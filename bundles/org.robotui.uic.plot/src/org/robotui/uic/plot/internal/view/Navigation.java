@@ -16,9 +16,9 @@ import org.robotui.uic.plot.internal.model.ValueSpan;
 import org.robotui.uic.plot.internal.trace.TimeSpan;
 
 /**
- * Looks around (over time; curves are moved and zoomed by their values, see {@link CurveZoom}): drag moves time, wheel zooms time, with shift or control values; a drag with shift marks a box to zoom
- * into; over the figures of a scale drag and wheel move and zoom values; double click goes back to live. Display
- * thread.
+ * Looks around (over time; curves are moved and zoomed by their values, see {@link CurveZoom}): drag moves time, wheel
+ * zooms time, with shift or control values; a drag with shift marks a box to zoom into; over the figures of a scale
+ * drag and wheel move and zoom values; double click goes back to live. Display thread.
  */
 final class Navigation {
   private static final double STEP = 1.25;
@@ -186,7 +186,8 @@ final class Navigation {
 
   /** A click into a plot of recordings goes to that time. */
   private void clicked(Drag d) {
-    boolean still = !dragged && (d.kind() == Kind.TIME || d.kind() == Kind.CURVE && d.frame().plot().contains(d.start()));
+    boolean still =
+        !dragged && (d.kind() == Kind.TIME || d.kind() == Kind.CURVE && d.frame().plot().contains(d.start()));
     if (still) {
       before = scene.get().replay().map(Replay::position);
       painter.timeAt(d.frame(), d.start()).ifPresent(this::seek);

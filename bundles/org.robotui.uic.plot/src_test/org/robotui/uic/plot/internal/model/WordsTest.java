@@ -13,7 +13,10 @@ import org.robotui.api.port.Envelope;
 import org.robotui.data.Data;
 import org.robotui.data.record.DataRecord;
 import org.robotui.data.record.DynamicRecord;
+import org.robotui.data.record.FieldPath;
+import org.robotui.data.record.FieldUnits;
 import org.robotui.data.record.FieldValue;
+import org.robotui.data.record.NumberField;
 import org.robotui.uic.plot.internal.Robots;
 import org.robotui.uic.plot.internal.signal.ExprParser;
 
@@ -46,25 +49,25 @@ class WordsTest {
       "a.b:twistCovariance[3], ''",
   })
   void unitsFollowWhatIsComputed(String signal, String unit) {
-    assertEquals(unit, Units.of(ExprParser.parse(signal), f -> Units.of("Odometry", f.path())));
+    assertEquals(unit, Units.of(ExprParser.parse(signal), f -> FieldUnits.of("Odometry", f.path())));
   }
 
   @Test
   void unitsOfTheRobotsOwnMessages() {
-    assertEquals("m/s", Units.of("nav_msgs/Odometry", "twist.twist.linear.x"));
-    assertEquals("m", Units.of("nav_msgs/Odometry", "pose.pose.position.y"));
-    assertEquals("m/s\u00b2", Units.of("sensor_msgs/Imu", "linear_acceleration.z"));
-    assertEquals("m", Units.of("sensor_msgs/LaserScan", "ranges[17]"));
-    assertEquals("rad", Units.of("GpsFix", "latitude"));
+    assertEquals("m/s", FieldUnits.of("nav_msgs/Odometry", "twist.twist.linear.x"));
+    assertEquals("m", FieldUnits.of("nav_msgs/Odometry", "pose.pose.position.y"));
+    assertEquals("m/s\u00b2", FieldUnits.of("sensor_msgs/Imu", "linear_acceleration.z"));
+    assertEquals("m", FieldUnits.of("sensor_msgs/LaserScan", "ranges[17]"));
+    assertEquals("rad", FieldUnits.of("GpsFix", "latitude"));
   }
 
   @Test
   void theNamesOfOurRecordsComeBeforeThoseOfTheRobot() {
     DynamicRecord own = new Own();
-    assertEquals(new FieldReader.Number(1, "Odometry"),
-        new FieldReader("linear.x").read(DataRecord.of(Robots.odometry(1, 2)), () -> own));
-    assertEquals(new FieldReader.Number(1, "test/Own"),
-        new FieldReader("moving").read(DataRecord.of(Robots.odometry(1, 2)), () -> own));
+    assertEquals(new NumberField.Number(1, "Odometry"),
+        new NumberField(FieldPath.parse("linear.x")).read(DataRecord.of(Robots.odometry(1, 2)), () -> own));
+    assertEquals(new NumberField.Number(1, "test/Own"),
+        new NumberField(FieldPath.parse("moving")).read(DataRecord.of(Robots.odometry(1, 2)), () -> own));
   }
 
   @ParameterizedTest
@@ -76,8 +79,9 @@ class WordsTest {
       "twistCovariance[3] | has no field 'twistCovariance[3]'; twistCovariance has 0 elements",
   })
   void whyThereIsNoNumberIsSaid(String path, String reason) {
-    FieldReader.Found found = new FieldReader(path).read(DataRecord.of(Robots.odometry(1, 2)), Own::new);
-    String said = assertInstanceOf(FieldReader.Missing.class, found).reason();
+    NumberField.Found found =
+        new NumberField(FieldPath.parse(path)).read(DataRecord.of(Robots.odometry(1, 2)), Own::new);
+    String said = assertInstanceOf(NumberField.Missing.class, found).reason();
     assertTrue(said.contains(reason), said);
   }
 
