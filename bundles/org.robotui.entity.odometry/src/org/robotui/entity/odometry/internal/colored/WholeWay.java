@@ -9,7 +9,6 @@ import org.robotui.api.port.RawMessage;
 import org.robotui.api.port.SourceId;
 import org.robotui.api.port.StreamField;
 import org.robotui.api.replay.HistoryTaker;
-import org.robotui.api.replay.RecordedValue;
 import org.robotui.api.replay.StreamHistory;
 import org.robotui.data.record.DataRecord;
 import org.robotui.ui.scene.PoseSeries;

@@ -15,9 +15,10 @@ import java.util.stream.Stream;
  * @param linked whether all axes show the same time
  * @param style how samples are joined
  * @param legend where names and figures stand
+ * @param names signals that others can be made of
  */
 public record PlotSpec(List<AxisSpec> axes, double window, boolean byStamp, boolean linked, LineStyle style,
-    LegendPlace legend) {
+    LegendPlace legend, List<NamedSignal> names) {
   /** Where names and figures stand. */
   public enum LegendPlace {
     AUTO, SIDE, TOP, OFF
@@ -25,6 +26,13 @@ public record PlotSpec(List<AxisSpec> axes, double window, boolean byStamp, bool
 
   public PlotSpec {
     axes = List.copyOf(axes);
+    names = List.copyOf(names);
+  }
+
+  /** Without names. */
+  public PlotSpec(List<AxisSpec> axes, double window, boolean byStamp, boolean linked, LineStyle style,
+      LegendPlace legend) {
+    this(axes, window, byStamp, linked, style, legend, List.of());
   }
 
   public boolean isEmpty() {
@@ -100,6 +108,6 @@ public record PlotSpec(List<AxisSpec> axes, double window, boolean byStamp, bool
   }
 
   public PlotSpec withAxes(List<AxisSpec> next) {
-    return new PlotSpec(next, window, byStamp, linked, style, legend);
+    return new PlotSpec(next, window, byStamp, linked, style, legend, names);
   }
 }

@@ -1,14 +1,17 @@
 package org.robotui.uic.plot.internal.view;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 import org.robotui.api.config.SettingsStore;
+import org.robotui.uic.plot.internal.model.NamedSignal;
 import org.robotui.uic.plot.internal.model.PlotCodec;
 import org.robotui.uic.plot.internal.model.PlotOptions;
 import org.robotui.uic.plot.internal.model.PlotSpec;
+import org.robotui.uic.plot.internal.model.SignalNames;
+import org.robotui.uic.plot.internal.model.TraceRef;
 import org.robotui.uic.plot.internal.model.TraceSpec;
-import org.robotui.uic.plot.internal.signal.ExprParser;
 
 /** Changes what is configured; the settings keep it. */
 public final class Edits {
@@ -42,12 +45,41 @@ public final class Edits {
   /** Shows an axis over a signal; says what is wrong, if anything. */
   Optional<String> over(String signal, int axis) {
     try {
-      String read = ExprParser.parse(signal.strip()).toString();
+      String read = read(signal.strip());
       axes(spec -> spec.withAxis(axis, a -> a.over(Optional.of(read))));
       return Optional.empty();
     } catch (IllegalArgumentException e) {
       return Optional.of(e.getMessage());
     }
+  }
+
+  /** What a text means, as it is kept. */
+  private String read(String text) {
+    return new SignalNames(spec().names()).read(text).toString();
+  }
+
+  /** What is wrong with a text that is typed, if anything. */
+  Optional<String> fault(String text) {
+    try {
+      int over = text.indexOf(OVER);
+      if (over >= 0) {
+        read(text.substring(over + OVER.length()));
+      }
+      read(over < 0 ? text : text.substring(0, over));
+      return Optional.empty();
+    } catch (IllegalArgumentException e) {
+      return Optional.of(e.getMessage());
+    }
+  }
+
+  /** Gives the signal of a trace a name, by which others can be made of it. */
+  void name(TraceRef ref, String name) {
+    spec().trace(ref).ifPresent(trace -> {
+      List<NamedSignal> names = new ArrayList<>(spec().names());
+      names.add(new NamedSignal(name, trace.signal(), trace.unit()));
+      settings.set(PlotOptions.SIGNALS, PlotCodec.writeNames(names));
+      axes(s -> s.with(ref, t -> t.named(name)));
+    });
   }
 
   /** Adds one signal over another. */
@@ -56,13 +88,13 @@ public final class Edits {
   }
 
   /** One over another: {@code base./odom:pose.translation.y over base./odom:pose.translation.x}. */
-  private static PlotSpec plus(PlotSpec spec, int axis, String line) {
+  private PlotSpec plus(PlotSpec spec, int axis, String line) {
     int over = line.indexOf(OVER);
     if (over < 0) {
-      return spec.plus(axis, TraceSpec.of(ExprParser.parse(line).toString()));
+      return spec.plus(axis, TraceSpec.of(read(line)));
     }
-    return spec.plusCurve(ExprParser.parse(line.substring(over + OVER.length())).toString(),
-        TraceSpec.of(ExprParser.parse(line.substring(0, over)).toString()));
+    return spec.plusCurve(read(line.substring(over + OVER.length())),
+        TraceSpec.of(read(line.substring(0, over))));
   }
 
   /**

@@ -74,7 +74,8 @@ public final class PlotSurface implements ViewSurface {
     root.setBackground(context.theme().color(Role.PANEL));
     this.canvas = new PaintedCanvas(root, context.theme(), this::paint);
     this.chooser =
-        new ChooserPanel(root, context.theme(), robot, text -> edits.add(text, lastAxis()), this::closeChooser);
+        new ChooserPanel(root, context.theme(), robot, text -> edits.add(text, lastAxis()), edits::fault,
+            this::closeChooser);
     this.statistics = new StatisticsPane(root, context.theme(), () -> showStatistics(true));
     this.bins = new BinsPane(root, context.theme(), exporter.background(), exporter::write,
         () -> showStatistics(false));

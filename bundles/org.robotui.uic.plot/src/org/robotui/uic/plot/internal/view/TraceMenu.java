@@ -5,22 +5,27 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import org.eclipse.swt.widgets.Control;
 import org.robotui.api.show.Subject;
 import org.robotui.ui.control.Clipboards;
+import org.robotui.ui.control.NameDialog;
 import org.robotui.ui.control.PopupMenu;
 import org.robotui.ui.show.SubjectMenu;
 import org.robotui.uic.plot.internal.model.LineStyle;
 import org.robotui.uic.plot.internal.model.PlotOptions;
 import org.robotui.uic.plot.internal.model.PlotScene;
+import org.robotui.uic.plot.internal.model.SignalNames;
 import org.robotui.uic.plot.internal.model.TraceRef;
 import org.robotui.uic.plot.internal.model.TraceSpec;
 import org.robotui.uic.plot.internal.model.TraceView;
 import org.robotui.uic.plot.internal.signal.Expr;
-import org.robotui.uic.plot.internal.signal.ExprParser;
 
 /** What can be done with a trace. Display thread. */
 final class TraceMenu {
+  private static final double[] LIMITS = {0.1, 0.5, 1, 5, 10};
+  private static final Pattern NAME = Pattern.compile("[A-Za-z_]\\w*");
   private static final double[] AVERAGES = {0.1, 0.5, 1, 5, 10};
 
   private final Edits edits;
@@ -48,17 +53,27 @@ final class TraceMenu {
     move(menu.under("Move to"), scene, ref);
     menu.line();
     menu.push("Copy signal", () -> Clipboards.copy(spec.signal()));
-    fields(spec.signal()).forEach(
+    menu.push("Name the signal\u2026", !isName(scene, spec.signal()), () -> name(menu.widget().getShell(), scene, ref));
+    fields(scene, spec.signal()).forEach(
         field -> ports.fill(menu.under(field.toString()), new Subject.Stream(field.source(), List.of(field.path()))));
   }
 
   /** The fields that a signal is made of; none of one that cannot be read. */
-  private static List<Expr.Field> fields(String signal) {
+  private static List<Expr.Field> fields(PlotScene scene, String signal) {
     try {
-      return ExprParser.parse(signal).fields().distinct().toList();
+      return new SignalNames(scene.spec().names()).read(signal).fields().distinct().toList();
     } catch (IllegalArgumentException e) {
       return List.of();
     }
+  }
+
+  private static boolean isName(PlotScene scene, String word) {
+    return scene.spec().names().stream().anyMatch(named -> named.name().equals(word));
+  }
+
+  private void name(Control over, PlotScene scene, TraceRef ref) {
+    NameDialog.ask(over, "Name of the signal", "", word -> NAME.matcher(word.strip()).matches()
+        && !isName(scene, word.strip())).ifPresent(word -> edits.name(ref, word.strip()));
   }
 
   private void derive(PopupMenu menu, PlotScene scene, TraceRef ref, String signal) {
@@ -68,6 +83,12 @@ final class TraceMenu {
     for (double seconds : AVERAGES) {
       averages.push(seconds + " s", () -> add(ref, "average(" + signal + ", " + seconds + ")"));
     }
+    PopupMenu filters = menu.under("Low-pass");
+    for (double hertz : LIMITS) {
+      filters.push(hertz + " Hz", () -> add(ref, "lowpass(" + signal + ", " + hertz + ")"));
+    }
+    menu.push("Angle without jumps", () -> add(ref, "unwrap(" + signal + ")"));
+    menu.push("Calculate\u2026", () -> type.accept("(" + signal + ") * 1 + 0"));
     PopupMenu scale = menu.under("Scale");
     scale.push("Radians to degrees", () -> add(ref, "scale(" + signal + ", " + Math.toDegrees(1) + ")"));
     scale.push("Negate", () -> add(ref, "scale(" + signal + ", -1)"));
