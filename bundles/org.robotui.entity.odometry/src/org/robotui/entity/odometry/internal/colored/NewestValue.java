@@ -3,11 +3,11 @@ package org.robotui.entity.odometry.internal.colored;
 import java.util.Optional;
 import java.util.function.Supplier;
 import org.robotui.api.port.StreamField;
+import org.robotui.api.record.NumberField;
 import org.robotui.data.Data;
 import org.robotui.data.record.DataRecord;
 import org.robotui.data.record.DynamicRecord;
 import org.robotui.data.record.FieldUnits;
-import org.robotui.data.record.NumberField;
 
 /** The newest value of a field. One thread. */
 final class NewestValue {

@@ -10,9 +10,9 @@ import java.util.function.Function;
 import java.util.stream.IntStream;
 import org.robotui.api.port.Input;
 import org.robotui.api.port.SourceId;
+import org.robotui.api.record.NumberField;
 import org.robotui.data.record.DynamicRecord;
 import org.robotui.data.record.FieldValue;
-import org.robotui.data.record.NumberField;
 
 /**
  * All that could be plotted, as the rows of a tree: the sources, and below those that were opened, their fields. One

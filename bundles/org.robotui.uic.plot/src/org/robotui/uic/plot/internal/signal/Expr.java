@@ -130,7 +130,8 @@ public sealed interface Expr {
 
     @Override
     public String toString() {
-      return function.equals("-") ? "-" + operand(of) : function + "(" + of + ")";
+      boolean loose = of instanceof Pairwise pair && pair.isSign() || of instanceof Single one && one.function.equals("-");
+      return !function.equals("-") ? function + "(" + of + ")" : loose ? "-(" + of + ")" : "-" + of;
     }
   }
 
@@ -146,17 +147,24 @@ public sealed interface Expr {
       return !Character.isLetter(function.charAt(0));
     }
 
+    /** Whether a part of it must stand in brackets: what binds no closer than its sign. */
+    public boolean brackets(Expr part, boolean isRight) {
+      boolean sum = part instanceof Pairwise p && (p.function.equals("+") || p.function.equals("-"));
+      boolean product = part instanceof Pairwise p && (p.function.equals("*") || p.function.equals("/"));
+      boolean isProduct = function.equals("*") || function.equals("/");
+      boolean minus = part instanceof Single one && one.function.equals("-");
+      return isProduct && sum || isRight && (sum || isProduct && product || minus);
+    }
+
+    private String part(Expr part, boolean isRight) {
+      return brackets(part, isRight) ? "(" + part + ")" : part.toString();
+    }
+
     @Override
     public String toString() {
-      return isSign() ? operand(left) + " " + function + " " + operand(right)
+      return isSign() ? part(left, false) + " " + function + " " + part(right, true)
           : function + "(" + left + ", " + right + ")";
     }
-  }
-
-  /** As it stands beside a sign. */
-  private static String operand(Expr expr) {
-    boolean loose = expr instanceof Pairwise pair && pair.isSign() || expr instanceof Single one && one.function.equals("-");
-    return loose ? "(" + expr + ")" : expr.toString();
   }
 
   /** An angle of an orientation, a field with the parts x, y, z and w. */

@@ -94,6 +94,23 @@ class PlotCodecTest {
         "'range' must be [low, high], the lower number first, not [1.0]"), faults.subList(1, 3));
   }
 
+  @Test
+  void namesMeanWhatStandsBeforeThem() {
+    settings.set(PlotOptions.SIGNALS, List.of(Map.of("name", "speed", "signal", "base./odom:linear.x", "unit", "m/s"),
+        Map.of("name", "fast", "signal", "speed * 3.6")));
+    settings.set(PlotOptions.AXES, List.of(Map.of("x", "speed", "traces", List.of("derivative(fast)", "fast - speed"))));
+    assertEquals(List.of(), PlotCodec.faults(settings.current()));
+    PlotSpec spec = PlotCodec.read(settings.current());
+    assertEquals(settings.current().list(PlotOptions.SIGNALS).size(), PlotCodec.writeNames(spec.names()).size());
+    settings.set(PlotOptions.SIGNALS, List.of(Map.of("name", "fast", "signal", "speed * 3.6"),
+        Map.of("name", "speed", "signal", "fast"), Map.of("name", "fast", "signal", "a.b:c")));
+    List<String> faults = PlotCodec.faults(settings.current());
+    assertEquals("'fast': 'speed' is no signal; write SOURCE:PATH, for example base./odom:linear.x, or a function of it"
+        + " (column 1)", faults.getFirst());
+    assertTrue(faults.stream().anyMatch(f -> f.startsWith("the name 'fast' is given twice")), faults.toString());
+    assertTrue(faults.stream().anyMatch(f -> f.startsWith("x: 'speed' is no signal")), faults.toString());
+  }
+
   private String signal(Map<String, Object> trace) {
     settings.set(PlotOptions.AXES, List.of(Map.of("traces", List.of(trace))));
     return PlotCodec.read(settings.current()).axes().getFirst().traces().getFirst().signal();

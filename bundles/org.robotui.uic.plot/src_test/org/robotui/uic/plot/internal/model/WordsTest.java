@@ -10,13 +10,13 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.robotui.api.port.Envelope;
+import org.robotui.api.record.NumberField;
 import org.robotui.data.Data;
 import org.robotui.data.record.DataRecord;
 import org.robotui.data.record.DynamicRecord;
 import org.robotui.data.record.FieldPath;
 import org.robotui.data.record.FieldUnits;
 import org.robotui.data.record.FieldValue;
-import org.robotui.data.record.NumberField;
 import org.robotui.uic.plot.internal.Robots;
 import org.robotui.uic.plot.internal.signal.ExprParser;
 
@@ -29,6 +29,9 @@ class WordsTest {
       "scale(a.b:x, 2, -1) ; x \u00b7 2 \u2212 1",
       "scale(integral(a.b:x), 1, 3) ; (\u222b x) + 3",
       "norm(a.b:x, a.b:y) ; |x, y|",
+      "2 * a.b:x + 1 ; 2 \u00b7 x + 1",
+      "(a.b:x - a.b:y) / derivative(a.b:z) ; (x \u2212 y) / (d/dt z)",
+      "deg(yaw(a.b:pose.rotation)) ; deg (yaw pose.rotation)",
   })
   void signalsHaveShortNames(String signal, String label) {
     assertEquals(label, Labels.of(ExprParser.parse(signal)));
@@ -47,6 +50,11 @@ class WordsTest {
       "'scale(a.b:linear.x, 2)', ''",
       "'average(a.b:linear.x, 1)', m/s",
       "a.b:twistCovariance[3], ''",
+      "a.b:linear.x - a.b:linear.y + 1, m/s",
+      "a.b:linear.x * a.b:linear.y, ''",
+      "yaw(a.b:pose.rotation), rad",
+      "deg(derivative(yaw(a.b:pose.rotation))), \u00b0/s",
+      "'lowpass(abs(a.b:linear.x), 2)', m/s",
   })
   void unitsFollowWhatIsComputed(String signal, String unit) {
     assertEquals(unit, Units.of(ExprParser.parse(signal), f -> FieldUnits.of("Odometry", f.path())));

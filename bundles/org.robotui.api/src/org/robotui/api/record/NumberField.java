@@ -1,10 +1,13 @@
-package org.robotui.data.record;
+package org.robotui.api.record;
 
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
+import org.robotui.data.record.DynamicRecord;
+import org.robotui.data.record.FieldPath;
+import org.robotui.data.record.FieldValue;
 
 /** Reads a number at a path of records, and says what is there instead where there is none. Safe for all threads. */
 public final class NumberField {
