@@ -2,8 +2,8 @@ package org.robotui.entity.odometry.internal.colored;
 
 import java.util.Optional;
 import java.util.function.Supplier;
+import org.robotui.api.port.NumberField;
 import org.robotui.api.port.StreamField;
-import org.robotui.api.record.NumberField;
 import org.robotui.data.Data;
 import org.robotui.data.record.DataRecord;
 import org.robotui.data.record.DynamicRecord;

@@ -47,7 +47,8 @@ class ColoredTrailTest {
     assertArrayEquals(new double[]{Double.NaN, 3, 3, 5}, seen.way().values());
     assertArrayEquals(new double[]{0, 0, 0, 1, 0, 0, 2, 0, 0, 3, 0, 0}, seen.way().xyz());
     ColorScale scale = seen.scale().orElseThrow();
-    assertEquals(List.of("angular.z", "rad/s", 3.0, 5.0), List.of(scale.title(), scale.unit(), scale.low(), scale.high()));
+    assertEquals(List.of("angular.z", "rad/s", 3.0, 5.0),
+        List.of(scale.title(), scale.unit(), scale.low(), scale.high()));
     assertEquals(Optional.empty(), seen.problem());
     assertSame(seen, update(by), "nothing came");
   }

@@ -9,8 +9,8 @@ import java.util.Set;
 import java.util.function.Function;
 import java.util.stream.IntStream;
 import org.robotui.api.port.Input;
+import org.robotui.api.port.NumberField;
 import org.robotui.api.port.SourceId;
-import org.robotui.api.record.NumberField;
 import org.robotui.data.record.DynamicRecord;
 import org.robotui.data.record.FieldValue;
 

@@ -22,8 +22,8 @@ public final class Labels {
       case Expr.Difference d -> inner(d.of()) + " \u2212 " + inner(d.less());
       case Expr.Constant c -> c.toString();
       case Expr.Single s -> s.function().equals("-") ? "\u2212" + inner(s.of()) : s.function() + " " + inner(s.of());
-      case Expr.Pairwise p when p.isSign() ->
-        part(p, p.left(), false) + " " + SIGNS.get(p.function()) + " " + part(p, p.right(), true);
+      case Expr.Pairwise p when p.isSign() -> part(p, p.left(), false) + " " + SIGNS.get(p.function()) + " "
+          + part(p, p.right(), true);
       case Expr.Pairwise p -> p.function() + "(" + of(p.left()) + ", " + of(p.right()) + ")";
       case Expr.Angle a -> a.turn().name().toLowerCase(Locale.ROOT) + " " + a.of().path();
       case Expr.Unwrapped u -> of(u.of());

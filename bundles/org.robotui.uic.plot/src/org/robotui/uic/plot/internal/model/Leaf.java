@@ -3,7 +3,7 @@ package org.robotui.uic.plot.internal.model;
 import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.function.Supplier;
-import org.robotui.api.record.NumberField;
+import org.robotui.api.port.NumberField;
 import org.robotui.data.record.DynamicRecord;
 import org.robotui.data.record.FieldPath;
 import org.robotui.uic.plot.internal.signal.Expr;

@@ -130,7 +130,8 @@ public sealed interface Expr {
 
     @Override
     public String toString() {
-      boolean loose = of instanceof Pairwise pair && pair.isSign() || of instanceof Single one && one.function.equals("-");
+      boolean loose =
+          of instanceof Pairwise pair && pair.isSign() || of instanceof Single one && one.function.equals("-");
       return !function.equals("-") ? function + "(" + of + ")" : loose ? "-(" + of + ")" : "-" + of;
     }
   }
@@ -202,7 +203,8 @@ public sealed interface Expr {
   record LowPass(Expr of, double hertz) implements Expr {
     public LowPass {
       if (!(hertz > 0) || hertz > 1e6) {
-        throw new IllegalArgumentException("a low-pass has a limit of more than 0 and at most 1000000 Hz, not " + hertz);
+        throw new IllegalArgumentException(
+            "a low-pass has a limit of more than 0 and at most 1000000 Hz, not " + hertz);
       }
     }
 

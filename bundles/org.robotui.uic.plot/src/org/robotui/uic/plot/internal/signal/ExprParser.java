@@ -34,7 +34,8 @@ public final class ExprParser extends FormulaGrammar<Expr> {
   /**
    * Reads a signal without names.
    *
-   * @throws IllegalArgumentException where the text is none; the message says what is wrong and where, and what would do
+   * @throws IllegalArgumentException where the text is none; the message says what is wrong and where, and what would
+   * do
    */
   public static Expr parse(String text) {
     return parse(text, name -> Optional.empty());

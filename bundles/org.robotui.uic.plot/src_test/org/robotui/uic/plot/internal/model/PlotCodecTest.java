@@ -98,7 +98,8 @@ class PlotCodecTest {
   void namesMeanWhatStandsBeforeThem() {
     settings.set(PlotOptions.SIGNALS, List.of(Map.of("name", "speed", "signal", "base./odom:linear.x", "unit", "m/s"),
         Map.of("name", "fast", "signal", "speed * 3.6")));
-    settings.set(PlotOptions.AXES, List.of(Map.of("x", "speed", "traces", List.of("derivative(fast)", "fast - speed"))));
+    settings.set(PlotOptions.AXES,
+        List.of(Map.of("x", "speed", "traces", List.of("derivative(fast)", "fast - speed"))));
     assertEquals(List.of(), PlotCodec.faults(settings.current()));
     PlotSpec spec = PlotCodec.read(settings.current());
     assertEquals(settings.current().list(PlotOptions.SIGNALS).size(), PlotCodec.writeNames(spec.names()).size());

@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.robotui.api.port.Envelope;
-import org.robotui.api.record.NumberField;
+import org.robotui.api.port.NumberField;
 import org.robotui.data.Data;
 import org.robotui.data.record.DataRecord;
 import org.robotui.data.record.DynamicRecord;

@@ -1,4 +1,4 @@
-package org.robotui.api.record;
+package org.robotui.api.port;
 
 import java.util.List;
 import java.util.Optional;
