@@ -5,5 +5,5 @@
  * <p>Views take colours and fonts from the {@link org.robotui.ui.Theme} only, so that every view looks right in every
  * theme.
  */
-@org.osgi.annotation.versioning.Version("2.4.0")
+@org.osgi.annotation.versioning.Version("2.5.0")
 package org.robotui.ui;

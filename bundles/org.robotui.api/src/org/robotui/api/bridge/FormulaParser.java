@@ -2,52 +2,38 @@ package org.robotui.api.bridge;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.DoubleBinaryOperator;
 import java.util.function.DoubleUnaryOperator;
 import java.util.function.ToDoubleFunction;
-import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.robotui.api.input.FormulaGrammar;
 import org.robotui.api.input.Numerals;
 import org.robotui.data.record.DynamicRecord;
 import org.robotui.data.record.FieldPath;
 import org.robotui.data.record.FieldValue;
 
-/** Reads sums of products from a text, once. */
-final class FormulaParser {
-  private static final int LONGEST = 500; // each parenthesis is a call deeper
-  private static final Pattern NUMBER = Pattern.compile("(?:\\d+\\.?\\d*|\\.\\d+)(?:[eE][+-]?\\d+)?");
+/** Reads formulas of the fields of a record from a text, once. */
+final class FormulaParser extends FormulaGrammar<FormulaParser.Term> {
+  private static final int LONGEST = 500;
   private static final Pattern NAME = Pattern.compile("[A-Za-z_]\\w*");
   private static final Pattern PATH = Pattern.compile("[A-Za-z_]\\w*(?:\\.[A-Za-z_]\\w*|\\[\\d{1,9}])*");
-  private static final Map<String, DoubleUnaryOperator> OF_ONE = Map.ofEntries(Map.entry("abs", Math::abs),
-      Map.entry("sqrt", Math::sqrt), Map.entry("sin", Math::sin), Map.entry("cos", Math::cos),
-      Map.entry("tan", Math::tan), Map.entry("asin", Math::asin), Map.entry("acos", Math::acos),
-      Map.entry("atan", Math::atan), Map.entry("floor", Math::floor), Map.entry("round", Math::rint),
-      Map.entry("rad", Math::toRadians), Map.entry("deg", Math::toDegrees));
-  private static final Map<String, DoubleBinaryOperator> OF_TWO =
-      Map.of("atan2", Math::atan2, "min", Math::min, "max", Math::max);
 
-  private final String text;
   private final List<String> paths = new ArrayList<>();
-  private int at;
 
   /** A part of a formula. */
-  private interface Term extends ToDoubleFunction<DynamicRecord> {}
+  interface Term extends ToDoubleFunction<DynamicRecord> {}
 
   FormulaParser(String text) {
-    this.text = text;
+    super(text, LONGEST);
     if (text.length() > LONGEST) {
       throw new IllegalArgumentException("a formula has " + LONGEST + " characters at most");
     }
   }
 
   FieldFormula formula() {
-    Term whole = sum();
-    if (peek() != 0) {
-      throw wrong();
-    }
+    Term whole = whole();
     return new FieldFormula(paths, record -> value(whole, record));
   }
 
@@ -57,94 +43,43 @@ final class FormulaParser {
     }
     double number = whole.applyAsDouble(record);
     if (!Double.isFinite(number)) {
-      throw new IllegalArgumentException("'" + text + "' is " + number);
+      throw new IllegalArgumentException("'" + text() + "' is " + number);
     }
     return Optional.of(FieldExpression.number(number));
   }
 
-  private IllegalArgumentException wrong() {
-    return new IllegalArgumentException("'" + text + "' is no path, number, formula or text in single quotes"
-        + (at < text.length() ? "; '" + text.substring(at) + "' does not fit" : "; it ends too early"));
+  @Override
+  protected IllegalArgumentException wrong(String missing) {
+    return new IllegalArgumentException("'" + text() + "' is no path, number, formula or text in single quotes"
+        + (at() < text().length() ? "; '" + text().substring(at()) + "' does not fit" : "; it ends too early"));
   }
 
-  /** The next character that is no space, or 0 at the end. */
-  private char peek() {
-    while (at < text.length() && Character.isWhitespace(text.charAt(at))) {
-      at++;
-    }
-    return at < text.length() ? text.charAt(at) : 0;
+  @Override
+  protected Term one(String function, Term of) {
+    DoubleUnaryOperator operator = ofOne(function).orElseThrow();
+    return record -> operator.applyAsDouble(of.applyAsDouble(record));
   }
 
-  private boolean takes(char wanted) {
-    boolean there = peek() == wanted;
-    at += there ? 1 : 0;
-    return there;
+  @Override
+  protected Term two(String function, Term left, Term right) {
+    DoubleBinaryOperator operator = ofTwo(function).orElseThrow();
+    return record -> operator.applyAsDouble(left.applyAsDouble(record), right.applyAsDouble(record));
   }
 
-  private void needs(char wanted) {
-    if (!takes(wanted)) {
-      throw wrong();
-    }
-  }
-
-  private Optional<String> takes(Pattern pattern) {
-    peek();
-    Matcher matcher = pattern.matcher(text).region(at, text.length());
-    if (!matcher.lookingAt()) {
-      return Optional.empty();
-    }
-    at = matcher.end();
-    return Optional.of(matcher.group());
-  }
-
-  private Term sum() {
-    Term left = product();
-    while (peek() == '+' || peek() == '-') {
-      boolean minus = takes('-') || !takes('+');
-      left = joined(left, product(), minus ? (a, b) -> a - b : Double::sum);
-    }
-    return left;
-  }
-
-  private Term product() {
-    Term left = factor();
-    while (peek() == '*' || peek() == '/') {
-      boolean over = takes('/') || !takes('*');
-      left = joined(left, factor(), over ? (a, b) -> a / b : (a, b) -> a * b);
-    }
-    return left;
-  }
-
-  private static Term joined(Term left, Term right, DoubleBinaryOperator by) {
-    return record -> by.applyAsDouble(left.applyAsDouble(record), right.applyAsDouble(record));
-  }
-
-  private Term factor() {
-    if (takes('-')) {
-      Term inner = factor();
-      return record -> -inner.applyAsDouble(record);
-    }
-    if (takes('(')) {
-      Term inner = sum();
-      needs(')');
-      return inner;
-    }
+  @Override
+  protected Term operand() {
     Optional<String> number = takes(NUMBER);
     if (number.isPresent()) {
-      double constant = Numerals.decimal(number.get()).orElseThrow(this::wrong);
+      double constant = Numerals.decimal(number.get()).orElseThrow(() -> wrong(""));
       return record -> constant;
     }
-    return named();
-  }
-
-  private Term named() {
-    int begin = at;
-    String name = takes(NAME).orElseThrow(this::wrong);
+    int begin = at();
+    String name = takes(NAME).orElseThrow(() -> wrong(""));
     if (takes('(')) {
       return function(name);
     }
-    at = begin;
-    String path = takes(PATH).orElseThrow(this::wrong);
+    at(begin);
+    String path = takes(PATH).orElseThrow(() -> wrong(""));
     FieldPath parsed = FieldPath.parse(path);
     paths.add(path);
     String problem = "'" + path + "' is no number: nothing can be calculated of it";
@@ -153,19 +88,17 @@ final class FormulaParser {
 
   private Term function(String name) {
     Term first = sum();
-    DoubleUnaryOperator ofOne = OF_ONE.get(name);
-    if (ofOne != null) {
+    if (ofOne(name).isPresent()) {
       needs(')');
-      return record -> ofOne.applyAsDouble(first.applyAsDouble(record));
+      return one(name, first);
     }
-    DoubleBinaryOperator ofTwo = OF_TWO.get(name);
-    if (ofTwo == null) {
+    if (ofTwo(name).isEmpty()) {
       throw new IllegalArgumentException("there is no function '" + name + "'");
     }
     needs(',');
     Term second = sum();
     needs(')');
-    return joined(first, second, ofTwo);
+    return two(name, first, second);
   }
 
   private static OptionalDouble number(DynamicRecord record, FieldPath path) {

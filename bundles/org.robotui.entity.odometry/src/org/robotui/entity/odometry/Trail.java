@@ -20,13 +20,7 @@ final class Trail {
 
   /** Forgets the oldest part beyond a length, metres. */
   void cut(double length) {
-    double kept = 0;
-    int first = way.count() - 1;
-    while (first > 0 && kept < length) {
-      kept += way.step(first);
-      first--;
-    }
-    way.forget(first);
+    way.cut(length);
   }
 
   void clear() {

@@ -1,5 +1,7 @@
 package org.robotui.gl.display;
 
+import java.util.Optional;
+
 /**
  * One display of a scene. All methods are called on the worker thread of the scene, one at a time; they may compute for
  * some milliseconds but must not wait. What takes longer (files, meshes) goes to {@link DisplayContext#background()}.
@@ -14,6 +16,15 @@ public interface Display extends AutoCloseable {
    * @return what is to be drawn, and how it is
    */
   DisplayResult update(DisplayTick tick);
+
+  /**
+   * What the colours of what was drawn last mean.
+   *
+   * @return a scale that the scene paints beside the picture; none where colours mean no numbers
+   */
+  default Optional<ColorScale> colors() {
+    return Optional.empty();
+  }
 
   /** Ends it: nothing is held afterwards. */
   @Override

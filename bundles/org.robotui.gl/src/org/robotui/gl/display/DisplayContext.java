@@ -1,7 +1,10 @@
 package org.robotui.gl.display;
 
+import java.util.Optional;
 import java.util.concurrent.Executor;
 import org.robotui.api.command.CommandOutcome;
+import org.robotui.api.port.SourceId;
+import org.robotui.api.replay.StreamHistory;
 import org.robotui.data.Data;
 
 /** What a scene gives to a display. Safe for all threads. */
@@ -12,6 +15,16 @@ public interface DisplayContext {
    * @return takes tasks; interrupted at the end of the scene
    */
   Executor background();
+
+  /**
+   * The whole of a stream that is played from a recording. Worker thread of the scene.
+   *
+   * @param source a stream
+   * @return what is read in the background; none of a live robot
+   */
+  default Optional<StreamHistory> history(SourceId source) {
+    return Optional.empty();
+  }
 
   /**
    * Asks for a tick soon, for example when a task in the background brought something.

@@ -3,6 +3,8 @@ package org.robotui.gl.display;
 import java.util.List;
 import java.util.Set;
 import org.robotui.api.config.Schema;
+import org.robotui.api.config.Settings;
+import org.robotui.api.port.SourceId;
 import org.robotui.data.Data;
 
 /**
@@ -64,6 +66,16 @@ public interface DisplayType {
    * @return the schema, without {@code type}, {@code name}, {@code source} and {@code shown}, which the scene adds
    */
   Schema schema();
+
+  /**
+   * Streams beside the sources of a display that its settings name; what they give comes with the same ticks.
+   *
+   * @param settings of a display, checked
+   * @return their sources, of whatever type
+   */
+  default Set<SourceId> also(Settings settings) {
+    return Set.of();
+  }
 
   /**
    * Makes a display.

@@ -1,5 +1,7 @@
 package org.robotui.ui.layer;
 
+import java.util.Optional;
+import org.robotui.ui.ColorBar;
 import org.robotui.ui.scene.Entity;
 
 /**
@@ -17,4 +19,13 @@ public interface DataLayer extends Entity {
    * @return whether something else is to be painted, and how the layer is
    */
   LayerResult update(LayerTick tick);
+
+  /**
+   * What the colours of what was prepared mean. Any thread.
+   *
+   * @return a bar that the view paints beside its layers; none where colours mean no numbers
+   */
+  default Optional<ColorBar> colors() {
+    return Optional.empty();
+  }
 }

@@ -2,6 +2,7 @@ package org.robotui.ui.layer;
 
 import java.util.Optional;
 import java.util.function.Supplier;
+import org.robotui.ui.ColorBar;
 import org.robotui.ui.scene.Bounds;
 import org.robotui.ui.scene.Description;
 import org.robotui.ui.scene.Entity;
@@ -37,6 +38,10 @@ final class FencedLayer implements Entity {
   LayerResult update(LayerTick tick) {
     LayerResult failed = new LayerResult(true, new LayerStatus.NoData(""));
     return layer.map(l -> guarded(() -> l.update(tick), failed)).orElse(failed);
+  }
+
+  Optional<ColorBar> colors() {
+    return alive().flatMap(l -> guarded(l::colors, Optional.empty()));
   }
 
   @Override

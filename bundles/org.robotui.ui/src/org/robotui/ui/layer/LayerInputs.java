@@ -15,6 +15,7 @@ import org.robotui.api.port.Input;
 import org.robotui.api.port.InputState;
 import org.robotui.api.port.SourceId;
 import org.robotui.api.port.StreamPort;
+import org.robotui.api.replay.StreamHistory;
 import org.robotui.data.Data;
 import org.robotui.data.DataType;
 import org.robotui.data.FrameId;
@@ -135,6 +136,10 @@ public final class LayerInputs {
   /** The sources that were connected when it was drained last. */
   Set<SourceId> sources() {
     return connected;
+  }
+
+  Optional<StreamHistory> history(SourceId source) {
+    return owners.containsKey(source) ? owners.get(source).history(source) : chosen.history(source);
   }
 
   InputState state(SourceId source) {

@@ -2,14 +2,17 @@ package org.robotui.ui.layer;
 
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.robotui.api.port.Envelope;
 import org.robotui.api.port.Input;
 import org.robotui.api.port.InputState;
 import org.robotui.api.port.SourceId;
 import org.robotui.data.Data;
+import org.robotui.ui.ColorBar;
 import org.robotui.ui.Health;
 import org.robotui.ui.StateView;
 import org.robotui.ui.display.DisplayRow;
@@ -33,6 +36,7 @@ final class LayerSlot {
   private Optional<Running> running = Optional.empty();
   private Optional<KindSettings> settings = Optional.empty();
   private SourceChoice choice = SourceChoice.NONE;
+  private Set<SourceId> also = Set.of();
   private List<String> choices = List.of();
   private Optional<String> called = Optional.empty();
   private Optional<Envelope<? extends Data>> newest = Optional.empty();
@@ -60,6 +64,18 @@ final class LayerSlot {
     return choice;
   }
 
+  /** All streams that it takes. */
+  Set<SourceId> taken() {
+    Set<SourceId> all = new LinkedHashSet<>(choice.sources());
+    all.addAll(also);
+    return all;
+  }
+
+  /** What its colours mean, while it is seen. */
+  Optional<ColorBar> colors() {
+    return wanted() ? running.flatMap(r -> r.fenced().colors()) : Optional.empty();
+  }
+
   InputState state() {
     return state;
   }
@@ -83,7 +99,8 @@ final class LayerSlot {
     spec = next;
     type = kind;
     choice = kind.map(k -> SourceChoice.of(next, LayerStack.kind(k), offered)).orElse(SourceChoice.NONE);
-    last.keySet().retainAll(choice.sources());
+    also = kind.map(k -> k.also(settings.orElseThrow().settings())).orElse(Set.of());
+    last.keySet().retainAll(taken());
     choices = kind
         .map(k -> k.accepts().stream().flatMap(a -> SourceChoice.fitting(a, offered).stream()).map(SourceName::of)
             .distinct().toList())
@@ -137,14 +154,15 @@ final class LayerSlot {
 
   private List<Envelope<? extends Data>> arrived(LayerInputs inputs) {
     List<Envelope<? extends Data>> all = new ArrayList<>();
-    for (SourceId source : choice.sources()) {
+    for (SourceId source : taken()) {
       List<Envelope<? extends Data>> came = inputs.arrived(source, Optional.ofNullable(last.get(source)));
       if (!came.isEmpty()) {
         last.put(source, came.getLast());
         all.addAll(came);
       }
     }
-    all.stream().reduce((a, b) -> b.receivedNanos() - a.receivedNanos() >= 0 ? b : a)
+    all.stream().filter(e -> choice.sources().contains(e.source()))
+        .reduce((a, b) -> b.receivedNanos() - a.receivedNanos() >= 0 ? b : a)
         .ifPresent(e -> newest = Optional.of(e));
     return all;
   }

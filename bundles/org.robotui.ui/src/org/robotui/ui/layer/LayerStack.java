@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Set;
+import java.util.concurrent.Executor;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
@@ -20,8 +21,10 @@ import org.robotui.api.port.Envelope;
 import org.robotui.api.port.Input;
 import org.robotui.api.port.InputState;
 import org.robotui.api.port.SourceId;
+import org.robotui.api.replay.StreamHistory;
 import org.robotui.data.Data;
 import org.robotui.data.FrameId;
+import org.robotui.ui.ColorBar;
 import org.robotui.ui.Figures;
 import org.robotui.ui.display.DisplayCodec;
 import org.robotui.ui.display.DisplayEntry;
@@ -85,6 +88,7 @@ public final class LayerStack {
   private volatile Basis basis = new Basis(List.of(), List.of(), List.of(), Map.of());
   private volatile List<DisplayRow> rows = List.of();
   private volatile Map<String, Envelope<? extends Data>> newest = Map.of();
+  private volatile List<ColorBar> colors = List.of();
   private List<LayerNote> notes = List.of();
 
   /** What the list of layers depends on. */
@@ -112,7 +116,7 @@ public final class LayerStack {
     this.settings = view.settings();
     this.kinds = kinds;
     this.inputs = inputs;
-    this.context = view::background;
+    this.context = new Context(view);
     this.rules = rules;
     this.list = new DisplayList(settings, LAYERS, DisplayList.Growth.FIRST, this::specs);
   }
@@ -160,6 +164,15 @@ public final class LayerStack {
    */
   public List<InputState> states() {
     return inputs.states();
+  }
+
+  /**
+   * What the colours of layers mean; any thread.
+   *
+   * @return as of the last tick, those of the topmost layer first
+   */
+  public List<ColorBar> colors() {
+    return colors;
   }
 
   /**
@@ -246,6 +259,24 @@ public final class LayerStack {
     return changed | tell();
   }
 
+  private final class Context implements LayerContext {
+    private final UicContext view;
+
+    Context(UicContext view) {
+      this.view = view;
+    }
+
+    @Override
+    public Executor background() {
+      return view.background();
+    }
+
+    @Override
+    public Optional<StreamHistory> history(SourceId source) {
+      return inputs.history(source);
+    }
+  }
+
   private Ink ink(LayerSlot slot) {
     return Inks.chosen(slot.settings().settings())
         .orElseGet(() -> slot.choice().sources().stream().findFirst().map(rules::trace)
@@ -256,6 +287,7 @@ public final class LayerStack {
     Map<String, Envelope<? extends Data>> values = new LinkedHashMap<>();
     slots.forEach((id, slot) -> slot.newest().ifPresent(e -> values.put(id, e)));
     newest = Map.copyOf(values);
+    colors = slots.values().stream().flatMap(slot -> slot.colors().stream()).toList();
     List<DisplayRow> listed = slots.values().stream().map(LayerSlot::row).toList();
     List<LayerNote> said = LayerNotes.of(new ArrayList<>(slots.values()).reversed());
     boolean changed = !listed.equals(rows) || !said.equals(notes);
@@ -291,7 +323,7 @@ public final class LayerStack {
     }
     before.values().forEach(LayerSlot::end);
     Set<SourceId> wanted = new HashSet<>();
-    slots.values().stream().filter(LayerSlot::wanted).forEach(s -> wanted.addAll(s.choice().sources()));
+    slots.values().stream().filter(LayerSlot::wanted).forEach(s -> wanted.addAll(s.taken()));
     inputs.choose(wanted);
   }
 

@@ -3,6 +3,8 @@ package org.robotui.ui.layer;
 import java.util.List;
 import java.util.Set;
 import org.robotui.api.config.Schema;
+import org.robotui.api.config.Settings;
+import org.robotui.api.port.SourceId;
 import org.robotui.data.Data;
 
 /**
@@ -107,6 +109,16 @@ public interface LayerType {
    * setting {@link Inks#COLOR} is the colour that the view hands in as {@link LayerEntry#ink()}
    */
   Schema schema();
+
+  /**
+   * Streams beside the sources of a layer that its settings name; what they give comes with the same ticks.
+   *
+   * @param settings of a layer, checked
+   * @return their sources, of whatever type
+   */
+  default Set<SourceId> also(Settings settings) {
+    return Set.of();
+  }
 
   /**
    * Makes a layer.

@@ -4,5 +4,5 @@
  *
  * <p>A layer is prepared on the worker of its view and painted on the display thread; what passes between is immutable.
  */
-@org.osgi.annotation.versioning.Version("1.2.0")
+@org.osgi.annotation.versioning.Version("1.3.0")
 package org.robotui.ui.layer;

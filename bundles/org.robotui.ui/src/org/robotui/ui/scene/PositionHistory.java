@@ -113,6 +113,21 @@ public final class PositionHistory {
   }
 
   /**
+   * Forgets the oldest part beyond a length.
+   *
+   * @param length of the way that stays, metres
+   */
+  public void cut(double length) {
+    double kept = 0;
+    int first = count - 1;
+    while (first > 0 && kept < length) {
+      kept += step(first);
+      first--;
+    }
+    forget(first);
+  }
+
+  /**
    * Keeps the first positions only.
    *
    * @param first how many

@@ -4,5 +4,5 @@
  *
  * <p>Entities are prepared on a view's worker and painted on the display thread; what passes between is immutable.
  */
-@org.osgi.annotation.versioning.Version("2.1.0")
+@org.osgi.annotation.versioning.Version("2.2.0")
 package org.robotui.ui.scene;

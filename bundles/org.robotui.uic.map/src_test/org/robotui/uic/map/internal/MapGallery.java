@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.graphics.ImageData;
@@ -15,6 +16,7 @@ import org.robotui.data.navigation.GridMap;
 import org.robotui.data.navigation.Odometry;
 import org.robotui.data.navigation.PoseEstimate;
 import org.robotui.geometry.RigidTransform;
+import org.robotui.geometry.Vector3;
 import org.robotui.testkit.FakeAuthority;
 import org.robotui.testkit.FakeFrames;
 import org.robotui.ui.Theme;
@@ -47,6 +49,7 @@ final class MapGallery {
 
   private void paintAll() throws IOException {
     live();
+    colored();
     stale();
     states();
     tools();
@@ -83,6 +86,28 @@ final class MapGallery {
     }
     Files.writeString(folder.resolve("timing-" + theme.id() + ".txt"), worst * 1e-6 + " ms worst of 40 paints\n");
     stage.close();
+  }
+
+  /** The trail coloured by how fast the robot turned, and one whose value is not there. */
+  private void colored() throws IOException {
+    for (String field : List.of("base.odom:angular.z", "base.odom:angular.w")) {
+      MapStage stage = stage(880, 560);
+      stage.context.settings().set("layers", List.of(Map.of("type", "trail", "source", "base/odom", "settings",
+          Map.of("color_by", field))));
+      DemoRoom.fill(stage.context, System.nanoTime());
+      stage.replace();
+      stage.open();
+      int i = 0;
+      for (Odometry o : DemoRoom.drive()) {
+        Odometry turning = new Odometry(o.frame(), o.childFrame(), o.pose(), o.poseCovariance(), o.linear(),
+            new Vector3(0, 0, Math.sin(i++ * 0.06)), o.twistCovariance());
+        stage.context.input(MapPorts.ODOM).put(DemoRoom.source("odom"), turning, System.nanoTime(), Optional.empty());
+        stage.uic.tick(System.nanoTime());
+      }
+      stage.tick();
+      save(stage, field.endsWith("z") ? "colored" : "colored-without");
+      stage.close();
+    }
   }
 
   private void stale() throws IOException {

@@ -24,7 +24,10 @@ import org.robotui.ui.Themes;
 import org.robotui.ui.UiContext;
 import org.robotui.uic.plot.internal.model.PlotOptions;
 
-/** Shows the view in all its states side by side, for a person to look at: {@code Gallery dark|light [2|recorded]}. */
+/**
+ * Shows the view in all its states side by side, for a person to look at:
+ * {@code Gallery dark|light [2|recorded|curves]}.
+ */
 final class Gallery {
   private final GalleryWindow window;
   private final Theme theme;
@@ -41,6 +44,8 @@ final class Gallery {
     Gallery gallery = new Gallery(window, theme);
     if (arguments.length > 1 && arguments[1].equals("recorded")) {
       gallery.fillRecorded();
+    } else if (arguments.length > 1 && arguments[1].equals("curves")) {
+      gallery.fillCurves();
     } else if (arguments.length > 1) {
       gallery.fillMore();
     } else {
@@ -163,6 +168,49 @@ final class Gallery {
       mouse(s, SWT.MouseMove, 380, 200, 1);
       mouse(s, SWT.MouseUp, 380, 200, 1);
     });
+  }
+
+  /** One signal over another: a path with equal scales, of other units, of recordings, without values, wrong. */
+  private void fillCurves() {
+    cell(0, 0, 796, 480, c -> recordedCurve(c, "base./odom:pose.translation.x", "base./odom:pose.translation.y"),
+        s -> mouse(s, SWT.MouseMove, 250, 160, 0));
+    cell(802, 0, 798, 480, c -> {
+      recorded(c);
+      c.settings().set(PlotOptions.AXES, List.of(Map.of("traces", List.of("base./odom:linear.x")), CURVE));
+    }, s -> {
+      mouse(s, SWT.MouseMove, 250, 80, 0);
+      key(s, 'c');
+    });
+    cell(0, 486, 500, 514, c -> {
+      simple(c);
+      c.settings().set(PlotOptions.AXES, List.of(CURVE));
+    }, s -> {});
+    cell(506, 486, 454, 300, c -> {
+      simple(c);
+      c.settings().set(PlotOptions.STYLE, "dots");
+      c.settings().set(PlotOptions.AXES, List.of(Map.of("x", "base./odom:linear.x", "traces",
+          List.of("base./odom:angular.z", "derivative(base./odom:linear.x)"))));
+    }, s -> {});
+    cell(506, 792, 454, 208, c -> {
+      simple(c);
+      c.settings().set(PlotOptions.AXES,
+          List.of(Map.of("x", "base./odom:pose.east", "traces", List.of("base./odom:linear.x"))));
+    }, s -> {});
+    cell(966, 486, 634, 514, c -> recordedCurve(c, "base./odom:pose.translation.x", "base./odom:pose.translation.y"),
+        s -> {
+          for (int i = 0; i < 8; i++) {
+            key(s, '+');
+          }
+          key(s, 's');
+        });
+  }
+
+  private static final Map<String, Object> CURVE =
+      Map.of("x", "base./odom:pose.translation.x", "traces", List.of("base./odom:pose.translation.y"));
+
+  private static void recordedCurve(FakeUicContext context, String x, String y) {
+    recorded(context);
+    context.settings().set(PlotOptions.AXES, List.of(Map.of("x", x, "traces", List.of(y))));
   }
 
   private static KeptHistory recorded(FakeUicContext context, String... signals) {

@@ -19,7 +19,8 @@ class HostileValuesTest {
     for (String time : List.of(PlotOptions.BY_RECEIPT, PlotOptions.BY_STAMP)) {
       ViewTrial.of(new PlotType(), context -> {
         context.settings().set(PlotOptions.TIME, time);
-        context.settings().set(PlotOptions.AXES, List.of(Map.of("traces", signals)));
+        context.settings().set(PlotOptions.AXES,
+            List.of(Map.of("traces", signals), Map.of("traces", signals, "x", signals.getFirst())));
       });
     }
   }

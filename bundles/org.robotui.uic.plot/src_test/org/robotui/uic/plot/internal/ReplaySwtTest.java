@@ -98,6 +98,21 @@ class ReplaySwtTest {
   }
 
   @Test
+  void aClickOnACurveGoesToTheTimeOfThatPoint() {
+    context.settings().set(PlotOptions.AXES,
+        List.of(Map.of("x", "base./odom:pose.translation.x", "traces", List.of("base./odom:pose.translation.y"))));
+    step();
+    step();
+    click(5); // the figures: nothing is there
+    assertEquals(List.of(), timeline.sought);
+    for (int x = 60; x < WIDTH - 240 && timeline.sought.isEmpty(); x += 10) {
+      click(x);
+    }
+    assertEquals(1, timeline.sought.size(), "some of these places are near the curve");
+    assertTrue(note.endsWith("whole recording"), note);
+  }
+
+  @Test
   void aDoubleClickTakesItsFirstClickBackAndShowsAll() {
     key('+');
     step();

@@ -1,12 +1,15 @@
 package org.robotui.uic.scene3d.internal;
 
 import java.time.Duration;
+import java.util.Optional;
 import java.util.concurrent.Executor;
 import org.robotui.api.UicContext;
 import org.robotui.api.command.Authority.LeaseOutcome;
 import org.robotui.api.command.CommandOutcome;
 import org.robotui.api.command.Output;
 import org.robotui.api.port.CommandPort;
+import org.robotui.api.port.SourceId;
+import org.robotui.api.replay.StreamHistory;
 import org.robotui.data.Data;
 import org.robotui.data.marker.MarkerFeedback;
 import org.robotui.data.navigation.NavigationGoal;
@@ -26,6 +29,11 @@ final class SceneDisplays implements DisplayContext {
   @Override
   public Executor background() {
     return context.background();
+  }
+
+  @Override
+  public Optional<StreamHistory> history(SourceId source) {
+    return context.input(ScenePorts.DATA).history(source);
   }
 
   @Override

@@ -13,7 +13,7 @@ import org.robotui.gl.display.DisplayType;
 /** Shows where a robot was sent. */
 @Component(service = DisplayType.class)
 public final class GoalType implements DisplayType {
-  private static final Schema SCHEMA = PoseSettings.schema("#3ecf8e", 1, 0.6);
+  private static final Schema SCHEMA = PoseSettings.single("#3ecf8e", 0.6);
 
   @Override
   public String id() {
@@ -42,6 +42,6 @@ public final class GoalType implements DisplayType {
 
   @Override
   public Display create(DisplayContext context) {
-    return new PoseTrailDisplay<>(NavigationGoal.class, goal -> Doubles.EMPTY);
+    return new PoseTrailDisplay<>(NavigationGoal.class, goal -> Doubles.EMPTY, context);
   }
 }

@@ -1,10 +1,14 @@
 package org.robotui.entity.odometry.internal.display;
 
 import java.util.List;
+import java.util.Set;
 import org.osgi.service.component.annotations.Component;
 import org.robotui.api.config.Schema;
+import org.robotui.api.config.Settings;
+import org.robotui.api.port.SourceId;
 import org.robotui.data.Data;
 import org.robotui.data.navigation.PoseEstimate;
+import org.robotui.entity.odometry.internal.colored.ColorBy;
 import org.robotui.gl.display.Display;
 import org.robotui.gl.display.DisplayContext;
 import org.robotui.gl.display.DisplayType;
@@ -40,7 +44,12 @@ public final class PoseEstimateType implements DisplayType {
   }
 
   @Override
+  public Set<SourceId> also(Settings settings) {
+    return ColorBy.source(settings);
+  }
+
+  @Override
   public Display create(DisplayContext context) {
-    return new PoseTrailDisplay<>(PoseEstimate.class, PoseEstimate::covariance);
+    return new PoseTrailDisplay<>(PoseEstimate.class, PoseEstimate::covariance, context);
   }
 }

@@ -1,9 +1,11 @@
 package org.robotui.entity.odometry.internal.display;
 
 import java.util.List;
+import java.util.stream.Stream;
 import org.robotui.api.config.Schema;
 import org.robotui.api.config.Setting;
 import org.robotui.api.config.ValueType;
+import org.robotui.entity.odometry.internal.colored.ColorBy;
 import org.robotui.gl.display.ColorSetting;
 
 /** What all displays of poses can be set to. */
@@ -11,10 +13,24 @@ final class PoseSettings {
   /** Poses that stay at most. */
   static final int MOST = 10_000;
 
+  static final String WAY = "way_length";
+
   private PoseSettings() {}
 
+  /** Of poses that may make a way. */
   static Schema schema(String color, long keep, double length) {
-    return Schema.of(
+    return ColorBy.with(Stream.concat(settings(color, keep, length), Stream.of(
+        Setting.of(WAY, new ValueType.Num(0, 100_000, "m"), 100.0, "With color_by: how much of the way is shown.")))
+        .toArray(Setting[]::new));
+  }
+
+  /** Of a pose that makes no way. */
+  static Schema single(String color, double length) {
+    return Schema.of(settings(color, 1, length).toArray(Setting[]::new));
+  }
+
+  private static Stream<Setting> settings(String color, long keep, double length) {
+    return Stream.of(
         Setting.of("shape", new ValueType.Choice(List.of("arrows", "axes")), "arrows", "How a pose is shown."),
         ColorSetting.of("color", color, "The colour of arrows."),
         Setting.of("opacity", new ValueType.Num(0, 1, ""), 1.0, "0 invisible to 1 opaque."),

@@ -12,12 +12,16 @@ import org.robotui.api.port.InputState;
 import org.robotui.data.array.Doubles;
 import org.robotui.data.geometry.Pose;
 import org.robotui.data.navigation.Odometry;
+import org.robotui.entity.odometry.internal.colored.ColorBy;
+import org.robotui.entity.odometry.internal.colored.ColoredTrail;
 import org.robotui.geometry.Quaternion;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
 import org.robotui.gl.display.Anchor;
+import org.robotui.gl.display.ColorScale;
 import org.robotui.gl.display.ColorSetting;
 import org.robotui.gl.display.Display;
+import org.robotui.gl.display.DisplayContext;
 import org.robotui.gl.display.DisplayResult;
 import org.robotui.gl.display.DisplayStatus;
 import org.robotui.gl.display.DisplayTick;
@@ -31,7 +35,9 @@ import org.robotui.gl.shape.Properties;
 import org.robotui.gl.shape.Rgba;
 import org.robotui.gl.shape.Uncertainty;
 
-/** The newest poses in one frame, and how sure the last is. */
+/**
+ * The newest poses in one frame, and how sure the last is; or the newest alone, on a way that is coloured by a value.
+ */
 final class PoseTrailDisplay<T extends Pose> implements Display {
   private static final double THIN = 0.08;
 
@@ -41,6 +47,9 @@ final class PoseTrailDisplay<T extends Pose> implements Display {
   private final Deque<T> trail = new ArrayDeque<>();
   private Optional<Made> made = Optional.empty();
   private Optional<Sure> sure = Optional.empty();
+  private final ColoredTrail way;
+  private final ColoredLine line = new ColoredLine();
+  private Optional<ColoredTrail.Seen> colored = Optional.empty();
   private long broken;
 
   /** The arrows, and what they were made of. */
@@ -50,8 +59,9 @@ final class PoseTrailDisplay<T extends Pose> implements Display {
   private record Sure(Pose of, double deviations, double length, Optional<Instances> place,
       Optional<Instances> heading) {}
 
-  PoseTrailDisplay(Class<T> type, Function<T, Doubles> covariance) {
+  PoseTrailDisplay(Class<T> type, Function<T, Doubles> covariance, DisplayContext context) {
     this.type = type;
+    way = new ColoredTrail(type, context.background(), context::history);
     this.covariance = covariance;
     recent = new Recent<>(type, Anchor.When.NOW, T::frame, pose -> 1);
   }
@@ -60,10 +70,14 @@ final class PoseTrailDisplay<T extends Pose> implements Display {
   public DisplayResult update(DisplayTick tick) {
     Settings s = tick.settings();
     recent.update(tick);
+    ColorBy by = ColorBy.of(s);
+    colored = by.field().isEmpty() ? Optional.empty()
+        : way.update(tick.arrived(), by, s.number(PoseSettings.WAY), tick.reset());
     if (tick.reset() || tick.state() instanceof InputState.Unconnected) {
       trail.clear();
     }
-    tick.arrived().stream().map(e -> e.value()).filter(type::isInstance).map(type::cast).forEach(pose -> take(pose, s));
+    tick.arrived().stream().filter(e -> colored.isEmpty() || way.follows(e.source())).map(e -> e.value())
+        .filter(type::isInstance).map(type::cast).forEach(pose -> take(pose, s));
     while (trail.size() > s.integer("keep")) {
       trail.removeFirst();
     }
@@ -72,14 +86,27 @@ final class PoseTrailDisplay<T extends Pose> implements Display {
         .ifPresent(place -> add(parts, place, tick));
     DisplayStatus shown = trail.isEmpty() && broken > 0
         ? new DisplayStatus.Unfit("the pose is no number")
-        : new DisplayStatus.Shown(trail.size() + (trail.size() == 1 ? " pose" : " poses"));
+        : shown();
     return new DisplayResult(parts, recent.status(tick, shown), broken);
+  }
+
+  private DisplayStatus shown() {
+    return colored.flatMap(ColoredTrail.Seen::problem).<DisplayStatus>map(DisplayStatus.Partly::new)
+        .orElseGet(() -> new DisplayStatus.Shown(colored.map(c -> c.way().count() + " places")
+            .orElseGet(() -> trail.size() + (trail.size() == 1 ? " pose" : " poses"))));
+  }
+
+  @Override
+  public Optional<ColorScale> colors() {
+    return colored.flatMap(ColoredTrail.Seen::scale);
   }
 
   @Override
   public void close() {
     recent.clear();
     trail.clear();
+    way.clear();
+    line.clear();
   }
 
   /**
@@ -120,6 +147,8 @@ final class PoseTrailDisplay<T extends Pose> implements Display {
     Settings s = tick.settings();
     boolean axes = s.text("shape").equals("axes");
     Rgba color = faded(ColorSetting.read(s, "color"), tick);
+    colored.flatMap(c -> tick.places().at(c.way().frame(), Optional.empty()).found()
+        .map(at -> line.part(c, at, color.alpha()))).ifPresent(parts::add);
     Instances arrows = arrows(axes, s.number("length"));
     List<Pose> poses = made.orElseThrow().poses();
     parts.add(new Part("poses", arrows, place, Material.lit(axes ? Rgba.WHITE.withAlpha(color.alpha()) : color),
@@ -147,7 +176,7 @@ final class PoseTrailDisplay<T extends Pose> implements Display {
   }
 
   private Instances arrows(boolean axes, double length) {
-    List<Pose> poses = List.copyOf(trail);
+    List<Pose> poses = colored.isPresent() ? List.of(trail.getLast()) : List.copyOf(trail);
     if (made.filter(m -> m.poses.equals(poses) && m.axes == axes && m.length == length).isEmpty()) {
       Vector3 scale = axes ? new Vector3(length, length, length) : new Vector3(length, THIN * length, THIN * length);
       Placings placings = new Placings(poses.size());

@@ -1,11 +1,15 @@
 package org.robotui.entity.odometry.internal.display;
 
 import java.util.List;
+import java.util.Set;
 import org.osgi.service.component.annotations.Component;
 import org.robotui.api.config.Schema;
+import org.robotui.api.config.Settings;
+import org.robotui.api.port.SourceId;
 import org.robotui.data.Data;
 import org.robotui.data.array.Doubles;
 import org.robotui.data.geometry.StampedPose;
+import org.robotui.entity.odometry.internal.colored.ColorBy;
 import org.robotui.gl.display.Display;
 import org.robotui.gl.display.DisplayContext;
 import org.robotui.gl.display.DisplayType;
@@ -41,7 +45,12 @@ public final class StampedPoseType implements DisplayType {
   }
 
   @Override
+  public Set<SourceId> also(Settings settings) {
+    return ColorBy.source(settings);
+  }
+
+  @Override
   public Display create(DisplayContext context) {
-    return new PoseTrailDisplay<>(StampedPose.class, pose -> Doubles.EMPTY);
+    return new PoseTrailDisplay<>(StampedPose.class, pose -> Doubles.EMPTY, context);
   }
 }

@@ -18,6 +18,7 @@ import org.robotui.api.port.SourceId;
 import org.robotui.data.FrameId;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
+import org.robotui.ui.ColorBars;
 import org.robotui.ui.Figures;
 import org.robotui.ui.Health;
 import org.robotui.ui.Role;
@@ -56,6 +57,7 @@ public final class MapCanvas implements ViewSurface {
   private final StateView states;
   private final MapOverlay overlay;
   private final Legend legend;
+  private final ColorBars colors;
   private final TeamHands team;
   private final TeamMarks marks;
   private final PastMarks past;
@@ -75,6 +77,7 @@ public final class MapCanvas implements ViewSurface {
     states = new StateView(theme);
     overlay = new MapOverlay(theme);
     legend = new Legend(theme, model.team());
+    colors = new ColorBars(theme);
     team = new TeamHands(this, model.team(), goals);
     marks = new TeamMarks(model.team());
     past = new PastMarks(model.team());
@@ -282,6 +285,7 @@ public final class MapCanvas implements ViewSurface {
     if (!isBare()) {
       overlay.corners(gc, mover().viewport(), snapshot, hover.pointer());
       legend.paint(gc, area, snapshot.robots());
+      colors.paint(gc, area, model.layers().colors());
     }
     tool.ifPresent(t -> overlay.hint(gc, area, t.hint()));
     toast.at(System.nanoTime()).ifPresent(t -> overlay.toast(gc, area, t));

@@ -12,12 +12,28 @@ import java.util.stream.IntStream;
  * @param traces from the first to the last painted
  * @param left which values the scale at the left shows
  * @param right which values the scale at the right shows
+ * @param x the signal over which the traces are shown; none where that is time
+ * @param across which of its values are shown
  */
-public record AxisSpec(List<TraceSpec> traces, YRange left, YRange right) {
+public record AxisSpec(List<TraceSpec> traces, YRange left, YRange right, Optional<String> x, YRange across) {
   public static final AxisSpec EMPTY = new AxisSpec(List.of(), new YRange.Auto(), new YRange.Auto());
 
   public AxisSpec {
     traces = List.copyOf(traces);
+  }
+
+  /** Over time. */
+  public AxisSpec(List<TraceSpec> traces, YRange left, YRange right) {
+    this(traces, left, right, Optional.empty(), new YRange.Auto());
+  }
+
+  /** Over another signal, or over time. */
+  public AxisSpec over(Optional<String> signal) {
+    return new AxisSpec(traces, left, right, signal, new YRange.Auto());
+  }
+
+  public AxisSpec withAcross(YRange range) {
+    return new AxisSpec(traces, left, right, x, range);
   }
 
   public YRange range(boolean atRight) {
@@ -25,11 +41,11 @@ public record AxisSpec(List<TraceSpec> traces, YRange left, YRange right) {
   }
 
   public AxisSpec withRange(boolean atRight, YRange range) {
-    return new AxisSpec(traces, atRight ? left : range, atRight ? range : right);
+    return new AxisSpec(traces, atRight ? left : range, atRight ? range : right, x, across);
   }
 
   public AxisSpec with(List<TraceSpec> next) {
-    return new AxisSpec(next, left, right);
+    return new AxisSpec(next, left, right, x, across);
   }
 
   /** With a trace more, in the first colour that no other has, unless it has one or is there already. */
@@ -39,7 +55,7 @@ public record AxisSpec(List<TraceSpec> traces, YRange left, YRange right) {
     }
     List<TraceSpec> more = new ArrayList<>(traces);
     more.add(trace.colour().isPresent() ? trace : trace.withColour(freeColour()));
-    return new AxisSpec(more, left, right);
+    return new AxisSpec(more, left, right, x, across);
   }
 
   /** With a trace changed, or without it where nothing is given back. */
@@ -47,7 +63,7 @@ public record AxisSpec(List<TraceSpec> traces, YRange left, YRange right) {
     List<TraceSpec> changed = new ArrayList<>(traces);
     TraceSpec old = changed.remove(index);
     change.apply(Optional.of(old)).ifPresent(next -> changed.add(index, next));
-    return new AxisSpec(changed, left, right);
+    return new AxisSpec(changed, left, right, x, across);
   }
 
   /** The colour of a trace: its own, else by its place. */

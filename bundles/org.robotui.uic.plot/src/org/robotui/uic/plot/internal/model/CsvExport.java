@@ -3,7 +3,9 @@ package org.robotui.uic.plot.internal.model;
 import java.io.IOException;
 import java.io.Writer;
 import java.util.List;
+import java.util.stream.Stream;
 import org.robotui.api.input.Numerals;
+import org.robotui.uic.plot.internal.trace.Curve;
 import org.robotui.uic.plot.internal.trace.Samples;
 import org.robotui.uic.plot.internal.trace.TimeSpan;
 
@@ -14,7 +16,18 @@ import org.robotui.uic.plot.internal.trace.TimeSpan;
  */
 public final class CsvExport {
   /** A trace to write. */
-  public record Column(String name, String unit, Samples samples) {}
+  public record Column(String name, String unit, Samples samples) {
+    /** Those of a trace: one, or what a curve is drawn over and the curve. */
+    public static Stream<Column> of(TraceView trace) {
+      if (trace.over().isEmpty()) {
+        return Stream.of(new Column(trace.spec().signal(), trace.unit(), trace.series().orElseThrow().samples()));
+      }
+      CurveView over = trace.over().get();
+      Curve.Both both = over.curve().samples();
+      return Stream.of(new Column(over.signal(), over.unit(), both.x()),
+          new Column(trace.spec().signal(), trace.unit(), both.y()));
+    }
+  }
 
   private static final int DIGITS = 9;
   private static final int LOOK_EVERY = 1 << 12;

@@ -9,6 +9,7 @@ import java.util.Set;
 import java.util.function.Function;
 import java.util.stream.IntStream;
 import org.robotui.api.port.Input;
+import org.robotui.api.port.NumberField;
 import org.robotui.api.port.SourceId;
 import org.robotui.data.record.DynamicRecord;
 import org.robotui.data.record.FieldValue;
@@ -156,7 +157,7 @@ public final class FieldTree {
     }
 
     private List<String> signals(String path, FieldValue value) {
-      if (FieldReader.number(value).isPresent()) {
+      if (NumberField.number(value).isPresent()) {
         return List.of(source + ":" + path);
       }
       if (value instanceof FieldValue.Numbers n && n.values().size() <= SHORT_LIST) {
@@ -182,7 +183,7 @@ public final class FieldTree {
       case FieldValue.Numbers n -> n.values().size() + " numbers";
       case FieldValue.Items n -> n.values().size() + " elements";
       case FieldValue.Flag f -> Boolean.toString(f.value());
-      default -> FieldReader.number(value).map(Readout::of).orElse("");
+      default -> NumberField.number(value).map(Readout::of).orElse("");
     };
   }
 

@@ -1,11 +1,15 @@
 package org.robotui.uic.plot.internal.model;
 
+import java.util.Locale;
+import java.util.Map;
 import java.util.stream.Collectors;
 import org.robotui.api.input.Numerals;
 import org.robotui.uic.plot.internal.signal.Expr;
 
 /** Short names of signals: paths and signs instead of sources and functions. */
 public final class Labels {
+  private static final Map<String, String> SIGNS = Map.of("+", "+", "-", "\u2212", "*", "\u00b7", "/", "/");
+
   private Labels() {}
 
   public static String of(Expr expr) {
@@ -16,6 +20,16 @@ public final class Labels {
       case Expr.Average a -> "mean " + Numerals.text(a.seconds()) + "\u00a0s " + inner(a.of());
       case Expr.Scale s -> scale(s);
       case Expr.Difference d -> inner(d.of()) + " \u2212 " + inner(d.less());
+      case Expr.Constant c -> c.toString();
+      case Expr.Single s -> s.function().equals("-") ? "\u2212" + inner(s.of()) : s.function() + " " + inner(s.of());
+      case Expr.Pairwise p when p.isSign() -> part(p, p.left(), false) + " " + SIGNS.get(p.function()) + " "
+          + part(p, p.right(), true);
+      case Expr.Pairwise p -> p.function() + "(" + of(p.left()) + ", " + of(p.right()) + ")";
+      case Expr.Angle a -> a.turn().name().toLowerCase(Locale.ROOT) + " " + a.of().path();
+      case Expr.Unwrapped u -> of(u.of());
+      case Expr.LowPass l -> "<" + Numerals.text(l.hertz()) + "\u00a0Hz " + inner(l.of());
+      case Expr.Named n -> n.name();
+      case Expr.Over o -> of(o.of());
       case Expr.Norm n -> n.of().stream().map(Labels::of).collect(Collectors.joining(", ", "|", "|"));
     };
   }
@@ -33,8 +47,14 @@ public final class Labels {
     return factor + (s.offset() < 0 ? " \u2212 " : " + ") + Numerals.text(Math.abs(s.offset()));
   }
 
+  private static String part(Expr.Pairwise whole, Expr part, boolean isRight) {
+    boolean close = part instanceof Expr.Pairwise || part instanceof Expr.Single one && one.function().equals("-");
+    return close && !whole.brackets(part, isRight) ? of(part) : inner(part);
+  }
+
   private static String inner(Expr expr) {
-    boolean simple = expr instanceof Expr.Field || expr instanceof Expr.Norm;
+    boolean simple = expr instanceof Expr.Field || expr instanceof Expr.Norm || expr instanceof Expr.Constant
+        || expr instanceof Expr.Named;
     return simple ? of(expr) : "(" + of(expr) + ")";
   }
 }

@@ -3,7 +3,9 @@ package org.robotui.uic.plot.internal.model;
 import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.function.Supplier;
+import org.robotui.api.port.NumberField;
 import org.robotui.data.record.DynamicRecord;
+import org.robotui.data.record.FieldPath;
 import org.robotui.uic.plot.internal.signal.Expr;
 import org.robotui.uic.plot.internal.signal.Pipeline;
 import org.robotui.uic.plot.internal.signal.Sink;
@@ -14,7 +16,7 @@ final class Leaf {
   private static final long JUMP = TimeSpan.SECOND;
 
   private final Expr.Field field;
-  private final FieldReader reader;
+  private final NumberField reader;
   private final Sink sink;
   private final double gap;
   private final Cadence cadence;
@@ -26,7 +28,7 @@ final class Leaf {
 
   Leaf(Pipeline.Input input, double gap) {
     this.field = input.field();
-    this.reader = new FieldReader(field.path());
+    this.reader = new NumberField(FieldPath.parse(field.path()));
     this.sink = input.sink();
     this.gap = gap;
     this.cadence = new Cadence(gap);
@@ -74,14 +76,14 @@ final class Leaf {
     }
     Optional<Loss> loss = breakBefore(number, time);
     switch (reader.read(data, own)) {
-      case FieldReader.Number n -> number(time, n);
-      case FieldReader.Missing m -> missing(time, m.reason());
+      case NumberField.Number n -> number(time, n);
+      case NumberField.Missing m -> missing(time, m.reason());
     }
     last = OptionalLong.of(time);
     return loss;
   }
 
-  private void number(long time, FieldReader.Number found) {
+  private void number(long time, NumberField.Number found) {
     problem = Optional.empty();
     if (schema.isEmpty()) {
       schema = Optional.of(found.schema());

@@ -7,8 +7,8 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import org.robotui.api.port.Envelope;
 import org.robotui.data.record.DynamicRecord;
+import org.robotui.data.record.FieldUnits;
 import org.robotui.uic.plot.internal.signal.Expr;
-import org.robotui.uic.plot.internal.signal.Pipeline;
 import org.robotui.uic.plot.internal.trace.Samples;
 import org.robotui.uic.plot.internal.trace.Series;
 
@@ -17,14 +17,14 @@ final class LiveTrace {
   private static final int MOST_LOSSES = 200;
 
   private final Expr expr;
-  private final Series series;
+  private final SampleStore store;
   private final double gap;
   private final List<Loss> losses = new ArrayList<>();
   private List<Leaf> leaves = List.of();
 
   LiveTrace(Expr expr, long memory, double gap) {
     this.expr = expr;
-    this.series = new Series(memory);
+    this.store = SampleStore.of(expr, memory, 1);
     this.gap = gap;
     restart();
   }
@@ -33,8 +33,12 @@ final class LiveTrace {
     return expr;
   }
 
+  SampleStore store() {
+    return store;
+  }
+
   Series series() {
-    return series;
+    return store.series();
   }
 
   /** The newest losses, the oldest first. */
@@ -50,16 +54,16 @@ final class LiveTrace {
     return leaves.stream().flatMap(l -> l.problem().stream()).findFirst();
   }
 
-  String unit() {
-    return Units.of(expr, f -> leaves.stream().filter(l -> l.field().equals(f)).findFirst()
-        .flatMap(Leaf::schema).map(schema -> Units.of(schema, f.path())).orElse(""));
+  /** Of the signal, or of one that it is made of. */
+  String unit(Expr part) {
+    return Units.of(part, f -> leaves.stream().filter(l -> l.field().equals(f)).findFirst()
+        .flatMap(Leaf::schema).map(schema -> FieldUnits.of(schema, f.path())).orElse(""));
   }
 
   /** Forgets all: the clock was set anew. */
   void restart() {
-    series.clear();
     losses.clear();
-    leaves = Pipeline.of(expr, series::add).inputs().stream().map(input -> new Leaf(input, gap)).toList();
+    leaves = store.begin().inputs().stream().map(input -> new Leaf(input, gap)).toList();
   }
 
   void take(Envelope<?> envelope, long time, DynamicRecord data, Supplier<DynamicRecord> own) {
@@ -83,7 +87,7 @@ final class LiveTrace {
       if (!recorded.containsKey(leaf.field()) || recorded.get(leaf.field()) == this) {
         return;
       }
-      histories.add(recorded.get(leaf.field()).series.samples());
+      histories.add(recorded.get(leaf.field()).series().samples());
     }
     FieldMerge.into(leaves, histories);
   }

@@ -20,17 +20,37 @@ public final class PlotCodec {
         PlotOptions.BY_STAMP.equals(settings.text(PlotOptions.TIME)),
         settings.flag(PlotOptions.LINKED),
         LineStyle.of(settings.text(PlotOptions.STYLE)),
-        PlotSpec.LegendPlace.valueOf(settings.text(PlotOptions.LEGEND).toUpperCase(Locale.ROOT)));
+        PlotSpec.LegendPlace.valueOf(settings.text(PlotOptions.LEGEND).toUpperCase(Locale.ROOT)),
+        names(settings));
+  }
+
+  private static List<NamedSignal> names(Settings settings) {
+    return settings.list(PlotOptions.SIGNALS).stream().map(PlotCodec::fields).map(fields -> new NamedSignal(
+        text(fields, PlotOptions.NAME).orElse(""), text(fields, PlotOptions.SIGNAL).orElse(""),
+        text(fields, PlotOptions.UNIT))).toList();
+  }
+
+  /** Names as the setting holds them. */
+  public static List<Object> writeNames(List<NamedSignal> names) {
+    return names.stream().<Object>map(named -> {
+      Map<String, Object> written = new LinkedHashMap<>();
+      written.put(PlotOptions.NAME, named.name());
+      written.put(PlotOptions.SIGNAL, named.signal());
+      named.unit().ifPresent(unit -> written.put(PlotOptions.UNIT, unit));
+      return written;
+    }).toList();
   }
 
   /** What is wrong with axes whose parts fit the schema. */
   public static List<String> faults(Settings settings) {
-    List<String> faults = new ArrayList<>();
+    SignalNames names = new SignalNames(names(settings));
+    List<String> faults = new ArrayList<>(names.faults());
     for (Object axis : settings.list(PlotOptions.AXES)) {
       Map<String, Object> fields = fields(axis);
       list(fields.get(PlotOptions.TRACES)).stream().map(PlotCodec::trace)
-          .forEach(t -> Signal.of(t.signal()).error().ifPresent(faults::add));
-      for (String range : List.of(PlotOptions.RANGE, PlotOptions.RANGE_RIGHT)) {
+          .forEach(t -> Signal.of(t.signal(), names).error().ifPresent(faults::add));
+      text(fields, PlotOptions.X).ifPresent(x -> Signal.of(x, names).error().ifPresent(e -> faults.add("x: " + e)));
+      for (String range : List.of(PlotOptions.RANGE, PlotOptions.RANGE_RIGHT, PlotOptions.RANGE_X)) {
         if (fields.get(range) instanceof List<?> limits && range(fields, range) instanceof YRange.Auto) {
           faults.add("'" + range + "' must be [low, high], the lower number first, not " + limits);
         }
@@ -47,13 +67,17 @@ public final class PlotCodec {
   private static Map<String, Object> write(AxisSpec axis) {
     Map<String, Object> written = new LinkedHashMap<>();
     written.put(PlotOptions.TRACES, axis.traces().stream().map(PlotCodec::write).toList());
-    if (!(axis.left() instanceof YRange.Auto)) {
-      written.put(PlotOptions.RANGE, axis.left().toSetting());
-    }
-    if (!(axis.right() instanceof YRange.Auto)) {
-      written.put(PlotOptions.RANGE_RIGHT, axis.right().toSetting());
-    }
+    axis.x().ifPresent(x -> written.put(PlotOptions.X, x));
+    write(written, PlotOptions.RANGE, axis.left());
+    write(written, PlotOptions.RANGE_RIGHT, axis.right());
+    write(written, PlotOptions.RANGE_X, axis.across());
     return written;
+  }
+
+  private static void write(Map<String, Object> written, String name, YRange range) {
+    if (!(range instanceof YRange.Auto)) {
+      written.put(name, range.toSetting());
+    }
   }
 
   private static Object write(TraceSpec trace) {
@@ -78,7 +102,8 @@ public final class PlotCodec {
   private static AxisSpec axis(Object value) {
     Map<String, Object> fields = fields(value);
     List<TraceSpec> traces = list(fields.get(PlotOptions.TRACES)).stream().map(PlotCodec::trace).toList();
-    return new AxisSpec(traces, range(fields, PlotOptions.RANGE), range(fields, PlotOptions.RANGE_RIGHT));
+    return new AxisSpec(traces, range(fields, PlotOptions.RANGE), range(fields, PlotOptions.RANGE_RIGHT),
+        text(fields, PlotOptions.X), range(fields, PlotOptions.RANGE_X));
   }
 
   private static YRange range(Map<String, Object> fields, String name) {

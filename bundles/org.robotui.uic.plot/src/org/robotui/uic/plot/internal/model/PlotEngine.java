@@ -1,7 +1,6 @@
 package org.robotui.uic.plot.internal.model;
 
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -9,7 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
-import java.util.stream.Collectors;
+import java.util.function.Function;
 import java.util.stream.IntStream;
 import org.robotui.api.config.Settings;
 import org.robotui.api.config.SettingsStore;
@@ -31,7 +30,7 @@ public final class PlotEngine {
   private final SettingsStore settings;
   private final SampleClock times;
   private final WholeSeries whole;
-  private final Map<String, Signal> signals = new HashMap<>();
+  private final SignalTable signals = new SignalTable();
   private final Map<Expr, LiveTrace> traces = new LinkedHashMap<>();
   private final Map<SourceId, Envelope<Data>> newest = new ConcurrentHashMap<>();
   private volatile Set<SourceId> watched = Set.of();
@@ -127,10 +126,8 @@ public final class PlotEngine {
     if (!keep) {
       traces.clear();
     }
-    Set<String> wanted = spec.signals().collect(Collectors.toSet());
-    signals.keySet().retainAll(wanted);
-    wanted.forEach(text -> signals.computeIfAbsent(text, Signal::of));
-    Set<Expr> exprs = signals.values().stream().flatMap(s -> s.expr().stream()).collect(Collectors.toSet());
+    signals.follow(spec);
+    Set<Expr> exprs = signals.wanted(spec);
     List<LiveTrace> made = new ArrayList<>();
     for (Expr expr : exprs) {
       traces.computeIfAbsent(expr, e -> {
@@ -181,7 +178,7 @@ public final class PlotEngine {
 
   private TraceView view(AxisSpec axis, int index, Sources sources) {
     TraceSpec trace = axis.traces().get(index);
-    Signal signal = signals.get(trace.signal());
+    Signal signal = signals.of(axis, trace);
     return signal.expr().map(expr -> whole.trace(expr).map(all -> view(trace, axis.colour(index), all))
         .orElseGet(() -> view(trace, axis.colour(index), traces.get(expr), sources)))
         .orElseGet(() -> new TraceView(trace, axis.colour(index), trace.label().orElse(trace.signal()), "", "",
@@ -191,16 +188,23 @@ public final class PlotEngine {
 
   private static TraceView view(TraceSpec spec, int colour, LiveTrace trace, Sources sources) {
     return new TraceView(spec, colour, spec.label().orElseGet(() -> Labels.of(trace.expr())),
-        Labels.sources(trace.expr()),
-        spec.unit().orElseGet(trace::unit), Optional.of(trace.series()), sources.state(trace.expr()), trace.problem(),
-        trace.losses(),
-        trace.late());
+        Labels.sources(trace.expr()), spec.unit().orElseGet(() -> trace.unit(trace.expr())),
+        Optional.of(trace.series()), sources.state(trace.expr()), trace.problem(), trace.losses(), trace.late(),
+        Optional.empty(), over(trace.expr(), trace.store(), trace::unit));
   }
 
   private static TraceView view(TraceSpec spec, int colour, WholeTrace trace) {
     return new TraceView(spec, colour, spec.label().orElseGet(() -> Labels.of(trace.expr())),
         Labels.sources(trace.expr()), spec.unit().orElseGet(trace::unit), Optional.of(trace.series()), trace.state(),
-        trace.problem(), List.of(), trace.late(), Optional.of(trace.remark()));
+        trace.problem(), List.of(), trace.late(), Optional.of(trace.remark()),
+        over(trace.expr(), trace.store(), x -> trace.unitAcross()));
+  }
+
+  private static Optional<CurveView> over(Expr expr, SampleStore store, Function<Expr, String> unit) {
+    return expr instanceof Expr.Over over
+        ? store.curve()
+            .map(curve -> new CurveView(curve, over.x().toString(), Labels.of(over.x()), unit.apply(over.x())))
+        : Optional.empty();
   }
 
   /** Ends what goes on beside ticks. Any thread, when there are no more of them. */

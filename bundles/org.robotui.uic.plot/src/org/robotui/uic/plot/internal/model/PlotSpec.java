@@ -15,9 +15,10 @@ import java.util.stream.Stream;
  * @param linked whether all axes show the same time
  * @param style how samples are joined
  * @param legend where names and figures stand
+ * @param names signals that others can be made of
  */
 public record PlotSpec(List<AxisSpec> axes, double window, boolean byStamp, boolean linked, LineStyle style,
-    LegendPlace legend) {
+    LegendPlace legend, List<NamedSignal> names) {
   /** Where names and figures stand. */
   public enum LegendPlace {
     AUTO, SIDE, TOP, OFF
@@ -25,10 +26,29 @@ public record PlotSpec(List<AxisSpec> axes, double window, boolean byStamp, bool
 
   public PlotSpec {
     axes = List.copyOf(axes);
+    names = List.copyOf(names);
+  }
+
+  /** Without names. */
+  public PlotSpec(List<AxisSpec> axes, double window, boolean byStamp, boolean linked, LineStyle style,
+      LegendPlace legend) {
+    this(axes, window, byStamp, linked, style, legend, List.of());
   }
 
   public boolean isEmpty() {
     return axes.stream().allMatch(a -> a.traces().isEmpty());
+  }
+
+  /** All signals and what they are shown over, each once. */
+  public Stream<String> texts() {
+    return Stream.concat(signals(), axes.stream().flatMap(a -> a.x().stream())).distinct();
+  }
+
+  /** With a signal over another one: on the first axis that has this one as its scale, else on a new one. */
+  public PlotSpec plusCurve(String x, TraceSpec trace) {
+    int there = axes.stream().map(AxisSpec::x).toList().indexOf(Optional.of(x));
+    return there >= 0 ? withAxis(there, a -> a.plus(trace))
+        : withAxes(Stream.concat(axes.stream(), Stream.of(AxisSpec.EMPTY.over(Optional.of(x)).plus(trace))).toList());
   }
 
   /** All signals, each once. */
@@ -88,6 +108,6 @@ public record PlotSpec(List<AxisSpec> axes, double window, boolean byStamp, bool
   }
 
   public PlotSpec withAxes(List<AxisSpec> next) {
-    return new PlotSpec(next, window, byStamp, linked, style, legend);
+    return new PlotSpec(next, window, byStamp, linked, style, legend, names);
   }
 }

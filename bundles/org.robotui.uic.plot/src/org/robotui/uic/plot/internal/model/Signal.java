@@ -2,13 +2,12 @@ package org.robotui.uic.plot.internal.model;
 
 import java.util.Optional;
 import org.robotui.uic.plot.internal.signal.Expr;
-import org.robotui.uic.plot.internal.signal.ExprParser;
 
 /** What a configured text means, or why it means nothing. */
 record Signal(Optional<Expr> expr, Optional<String> error) {
-  static Signal of(String text) {
+  static Signal of(String text, SignalNames names) {
     try {
-      return new Signal(Optional.of(ExprParser.parse(text)), Optional.empty());
+      return new Signal(Optional.of(names.read(text)), Optional.empty());
     } catch (IllegalArgumentException e) {
       return new Signal(Optional.empty(), Optional.of(e.getMessage()));
     }

@@ -31,6 +31,11 @@ public record TraceSpec(
     return new TraceSpec(next, Optional.empty(), Optional.empty(), colour, style, right, hidden);
   }
 
+  /** The same by a name of its signal. */
+  public TraceSpec named(String name) {
+    return new TraceSpec(name, label, unit, colour, style, right, hidden);
+  }
+
   public TraceSpec withLabel(Optional<String> next) {
     return new TraceSpec(signal, next, unit, colour, style, right, hidden);
   }

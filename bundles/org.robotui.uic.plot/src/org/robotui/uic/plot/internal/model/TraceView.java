@@ -19,6 +19,7 @@ import org.robotui.uic.plot.internal.trace.Series;
  * @param losses what was lost on the way, the oldest first
  * @param late values left out since they came with a time before that of the newest
  * @param recorded what is to be said of a trace that is read whole from a recording; none while it is live
+ * @param over what it is shown over in place of time
  */
 public record TraceView(
     TraceSpec spec,
@@ -31,7 +32,8 @@ public record TraceView(
     Optional<String> problem,
     List<Loss> losses,
     long late,
-    Optional<String> recorded) {
+    Optional<String> recorded,
+    Optional<CurveView> over) {
   public TraceView {
     losses = List.copyOf(losses);
   }
@@ -39,11 +41,13 @@ public record TraceView(
   /** A live one. */
   public TraceView(TraceSpec spec, int colour, String label, String sources, String unit, Optional<Series> series,
       InputState state, Optional<String> problem, List<Loss> losses, long late) {
-    this(spec, colour, label, sources, unit, series, state, problem, losses, late, Optional.empty());
+    this(spec, colour, label, sources, unit, series, state, problem, losses, late, Optional.empty(),
+        Optional.empty());
   }
 
   TraceView withLabel(String next) {
-    return new TraceView(spec, colour, next, sources, unit, series, state, problem, losses, late, recorded);
+    return new TraceView(spec, colour, next, sources, unit, series, state, problem, losses, late, recorded,
+        over);
   }
 
   /** Whether there is a line to draw. */

@@ -21,6 +21,12 @@ public record ValueSpan(double low, double high) {
     return orSame(fixed - (fixed - low) * factor, fixed + (high - fixed) * factor);
   }
 
+  /** As long as wanted, with the same middle. */
+  public ValueSpan lengthened(double length) {
+    double middle = low + length() / 2;
+    return orSame(middle - length / 2, middle + length / 2);
+  }
+
   /** What numbers cannot tell apart is not zoomed into. */
   private ValueSpan orSame(double nextLow, double nextHigh) {
     double finest = Math.ulp(Math.max(Math.abs(nextLow), Math.abs(nextHigh))) * 1e3;

@@ -62,17 +62,23 @@ public final class WholeSeries {
         .forEach(this::drop);
     loads = loads.stream().filter(SeriesLoad::isWanted).toList();
     List<WholeTrace> fresh = new ArrayList<>();
+    long room =
+        Math.max(now.memory(), most / Math.max(1, recorded.keySet().stream().mapToInt(WholeSeries::kept).sum()));
     recorded.forEach((expr, places) -> {
       if (!traces.containsKey(expr)) {
-        WholeTrace made = new WholeTrace(expr, places, now.gap(), Math.max(now.memory(), most / recorded.size()),
-            expected(expr, places));
+        WholeTrace made = new WholeTrace(expr, places, now.gap(), room, expected(expr, places));
         traces.put(expr, made);
         fresh.add(made);
       }
     });
     if (!fresh.isEmpty()) {
-      load(new SeriesLoad(fresh, now.byStamp(), Math.max(now.memory(), most / recorded.size())));
+      load(new SeriesLoad(fresh, now.byStamp(), room));
     }
+  }
+
+  /** How many numbers are kept of each time. */
+  private static int kept(Expr expr) {
+    return expr instanceof Expr.Over ? 2 : 1;
   }
 
   private void load(SeriesLoad load) {

@@ -6,9 +6,8 @@ import java.util.Optional;
 import org.robotui.api.port.InputState;
 import org.robotui.api.port.SourceId;
 import org.robotui.api.replay.StreamHistory;
+import org.robotui.data.record.FieldUnits;
 import org.robotui.uic.plot.internal.signal.Expr;
-import org.robotui.uic.plot.internal.signal.Pipeline;
-import org.robotui.uic.plot.internal.signal.ThinningSink;
 import org.robotui.uic.plot.internal.trace.Series;
 
 /** A signal of recordings, read whole. Filled by one thread, looked at by others. */
@@ -17,15 +16,14 @@ final class WholeTrace {
   record Place(StreamHistory history, long offset) {}
 
   /** What is known so far beside the samples. */
-  private record Found(Optional<String> problem, String unit, long late, String refused) {
-    static final Found NOTHING = new Found(Optional.empty(), "", 0, "");
+  private record Found(Optional<String> problem, String unit, String across, long late, String refused) {
+    static final Found NOTHING = new Found(Optional.empty(), "", "", 0, "");
   }
 
   private final Expr expr;
   private final Map<SourceId, Place> places;
-  private final Series series;
+  private final SampleStore store;
   private final int every;
-  private final ThinningSink thinning;
   private final List<Leaf> leaves;
   private String complaint = "";
   private long refused;
@@ -43,10 +41,9 @@ final class WholeTrace {
   WholeTrace(Expr expr, Map<SourceId, Place> places, double gap, long most, long expected) {
     this.expr = expr;
     this.places = Map.copyOf(places);
-    this.every = expected > most ? Math.toIntExact(Math.min(Integer.MAX_VALUE, 2 * Math.ceilDiv(expected, most))) : 1;
-    this.series = new Series(most);
-    this.thinning = new ThinningSink(every, series::add);
-    this.leaves = Pipeline.of(expr, thinning).inputs().stream().map(input -> new Leaf(input, gap)).toList();
+    this.every = SampleStore.every(expr, expected, most);
+    this.store = SampleStore.of(expr, most, every);
+    this.leaves = store.begin().inputs().stream().map(input -> new Leaf(input, gap)).toList();
   }
 
   Expr expr() {
@@ -57,8 +54,12 @@ final class WholeTrace {
     return places;
   }
 
+  SampleStore store() {
+    return store;
+  }
+
   Series series() {
-    return series;
+    return store.series();
   }
 
   List<Leaf> leaves() {
@@ -91,15 +92,19 @@ final class WholeTrace {
 
   /** Has others see what was found so far. */
   void tell() {
-    String unit = Units.of(expr, f -> leaves.stream().filter(l -> l.field().equals(f)).findFirst()
-        .flatMap(Leaf::schema).map(schema -> Units.of(schema, f.path())).orElse(""));
-    found = new Found(leaves.stream().flatMap(l -> l.problem().stream()).findFirst(), unit,
+    String across = expr instanceof Expr.Over over ? unit(over.x()) : "";
+    found = new Found(leaves.stream().flatMap(l -> l.problem().stream()).findFirst(), unit(expr), across,
         leaves.stream().mapToLong(Leaf::late).sum(),
         refused == 0 ? "" : refused + " messages cannot be used: " + complaint);
   }
 
+  private String unit(Expr part) {
+    return Units.of(part, f -> leaves.stream().filter(l -> l.field().equals(f)).findFirst()
+        .flatMap(Leaf::schema).map(schema -> FieldUnits.of(schema, f.path())).orElse(""));
+  }
+
   void end() {
-    thinning.flush();
+    store.flush();
     tell();
     done = true;
   }
@@ -113,24 +118,29 @@ final class WholeTrace {
     return found.unit();
   }
 
+  /** Of what it is shown over. */
+  String unitAcross() {
+    return found.across();
+  }
+
   long late() {
     return found.late();
   }
 
   Optional<String> problem() {
-    boolean nothing = series.size() == 0 && !found.refused().isEmpty();
+    boolean nothing = series().size() == 0 && !found.refused().isEmpty();
     return failure.or(() -> found.problem()).or(() -> nothing ? Optional.of(found.refused()) : Optional.empty());
   }
 
   InputState state() {
-    return series.size() == 0 && !done ? new InputState.Waiting("the recording is being read")
+    return series().size() == 0 && !done ? new InputState.Waiting("the recording is being read")
         : new InputState.Live(0, 0);
   }
 
   /** What is to be said of it beside what a live trace says. */
   String remark() {
     String thinned = every > 1
-        ? "\nof each " + every + " samples the smallest and the largest are kept, as memory is limited"
+        ? "\nof each " + every + " samples those that go furthest are kept, as memory is limited"
         : "";
     String unusable = found.refused().isEmpty() ? "" : "\n" + found.refused();
     return (done ? "the whole recording" : "the recording is being read") + thinned + unusable;

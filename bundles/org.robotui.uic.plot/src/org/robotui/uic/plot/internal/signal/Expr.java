@@ -1,8 +1,11 @@
 package org.robotui.uic.plot.internal.signal;
 
 import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.robotui.api.input.FormulaGrammar;
 import org.robotui.api.input.Numerals;
 import org.robotui.api.port.SourceId;
 
@@ -102,6 +105,143 @@ public sealed interface Expr {
     @Override
     public String toString() {
       return "difference(" + of + ", " + less + ")";
+    }
+  }
+
+  /** A number, within what is calculated. */
+  record Constant(double value) implements Expr {
+    @Override
+    public Stream<Field> fields() {
+      return Stream.empty();
+    }
+
+    @Override
+    public String toString() {
+      return Numerals.text(value);
+    }
+  }
+
+  /** What a function of one number makes of each sample, by its name as {@link FormulaGrammar#ofOne} has it. */
+  record Single(String function, Expr of) implements Expr {
+    @Override
+    public Stream<Field> fields() {
+      return of.fields();
+    }
+
+    @Override
+    public String toString() {
+      boolean loose =
+          of instanceof Pairwise pair && pair.isSign() || of instanceof Single one && one.function.equals("-");
+      return !function.equals("-") ? function + "(" + of + ")" : loose ? "-(" + of + ")" : "-" + of;
+    }
+  }
+
+  /** What a function or sign makes of two, as {@link FormulaGrammar#ofTwo} has it, at the times of the first. */
+  record Pairwise(String function, Expr left, Expr right) implements Expr {
+    @Override
+    public Stream<Field> fields() {
+      return Stream.concat(left.fields(), right.fields());
+    }
+
+    /** Whether it is written between both. */
+    public boolean isSign() {
+      return !Character.isLetter(function.charAt(0));
+    }
+
+    /** Whether a part of it must stand in brackets: what binds no closer than its sign. */
+    public boolean brackets(Expr part, boolean isRight) {
+      boolean sum = part instanceof Pairwise p && (p.function.equals("+") || p.function.equals("-"));
+      boolean product = part instanceof Pairwise p && (p.function.equals("*") || p.function.equals("/"));
+      boolean isProduct = function.equals("*") || function.equals("/");
+      boolean minus = part instanceof Single one && one.function.equals("-");
+      return isProduct && sum || isRight && (sum || isProduct && product || minus);
+    }
+
+    private String part(Expr part, boolean isRight) {
+      return brackets(part, isRight) ? "(" + part + ")" : part.toString();
+    }
+
+    @Override
+    public String toString() {
+      return isSign() ? part(left, false) + " " + function + " " + part(right, true)
+          : function + "(" + left + ", " + right + ")";
+    }
+  }
+
+  /** An angle of an orientation, a field with the parts x, y, z and w. */
+  record Angle(Turn turn, Field of) implements Expr {
+    @Override
+    public Stream<Field> fields() {
+      return Stream.of("x", "y", "z", "w").map(part -> new Field(of.source(), of.path() + "." + part));
+    }
+
+    @Override
+    public String toString() {
+      return turn.name().toLowerCase(Locale.ROOT) + "(" + of + ")";
+    }
+  }
+
+  /** About which axis: x, y, z of the turned frame. */
+  enum Turn {
+    ROLL, PITCH, YAW
+  }
+
+  /** An angle that goes on where it would jump by a whole turn. */
+  record Unwrapped(Expr of) implements Expr {
+    @Override
+    public Stream<Field> fields() {
+      return of.fields();
+    }
+
+    @Override
+    public String toString() {
+      return "unwrap(" + of + ")";
+    }
+  }
+
+  /** What changes slower than so many times a second. */
+  record LowPass(Expr of, double hertz) implements Expr {
+    public LowPass {
+      if (!(hertz > 0) || hertz > 1e6) {
+        throw new IllegalArgumentException(
+            "a low-pass has a limit of more than 0 and at most 1000000 Hz, not " + hertz);
+      }
+    }
+
+    @Override
+    public Stream<Field> fields() {
+      return of.fields();
+    }
+
+    @Override
+    public String toString() {
+      return "lowpass(" + of + ", " + Numerals.text(hertz) + ")";
+    }
+  }
+
+  /** One that the plot has a name for; its unit, where the plot says it. */
+  record Named(String name, Optional<String> unit, Expr of) implements Expr {
+    @Override
+    public Stream<Field> fields() {
+      return of.fields();
+    }
+
+    @Override
+    public String toString() {
+      return name;
+    }
+  }
+
+  /** One over another: the points of a curve, at the times of the first. */
+  record Over(Expr of, Expr x) implements Expr {
+    @Override
+    public Stream<Field> fields() {
+      return Stream.concat(of.fields(), x.fields());
+    }
+
+    @Override
+    public String toString() {
+      return of + " over " + x;
     }
   }
 

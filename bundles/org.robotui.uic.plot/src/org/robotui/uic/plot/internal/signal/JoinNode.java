@@ -2,7 +2,6 @@ package org.robotui.uic.plot.internal.signal;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.ToDoubleFunction;
 
 /**
  * Brings several signals to the times of the first: the others are taken between their two nearest samples, linearly,
@@ -12,15 +11,19 @@ import java.util.function.ToDoubleFunction;
 final class JoinNode {
   static final int MOST_WAITING = 1 << 16;
 
-  private final Sink out;
-  private final ToDoubleFunction<double[]> combine;
+  private final Met out;
   private final SampleQueue reference = new SampleQueue();
   private final List<Other> others = new ArrayList<>();
   private final double[] values;
 
-  JoinNode(int inputs, ToDoubleFunction<double[]> combine, Sink out) {
+  /** Takes what all signals have at a time, in their order; the values are good during the call. */
+  @FunctionalInterface
+  interface Met {
+    void accept(long time, double[] values);
+  }
+
+  JoinNode(int inputs, Met out) {
     this.out = out;
-    this.combine = combine;
     this.values = new double[inputs];
     for (int i = 1; i < inputs; i++) {
       others.add(new Other());
@@ -63,7 +66,7 @@ final class JoinNode {
       for (int i = 1; i < values.length; i++) {
         values[i] = others.get(i - 1).at(time);
       }
-      out.accept(time, combine.applyAsDouble(values));
+      out.accept(time, values);
     }
     return true;
   }

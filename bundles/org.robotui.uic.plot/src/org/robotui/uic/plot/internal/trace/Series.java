@@ -139,7 +139,7 @@ public final class Series {
     }
   }
 
-  private void summarize(int from, int to, Summary summary) {
+  void summarize(int from, int to, Summary summary) {
     int at = from;
     while (at < to) {
       int start = at % Chunk.SIZE;
@@ -169,11 +169,11 @@ public final class Series {
     return last.time(last.count() - 1);
   }
 
-  private long time(int index) {
+  long time(int index) {
     return chunks.get(index / Chunk.SIZE).time(index % Chunk.SIZE);
   }
 
-  private double value(int index) {
+  double value(int index) {
     return chunks.get(index / Chunk.SIZE).value(index % Chunk.SIZE);
   }
 
@@ -187,7 +187,7 @@ public final class Series {
     return indexOf(time);
   }
 
-  private int indexOf(long time) {
+  int indexOf(long time) {
     int low = 0;
     int high = chunks.size() - 1;
     while (low < high) {

@@ -5,6 +5,7 @@ import java.util.Optional;
 import org.eclipse.swt.graphics.Rectangle;
 import org.robotui.uic.plot.internal.model.TraceView;
 import org.robotui.uic.plot.internal.model.ValueSpan;
+import org.robotui.uic.plot.internal.trace.Curve;
 import org.robotui.uic.plot.internal.trace.TimeSpan;
 
 /**
@@ -18,11 +19,35 @@ import org.robotui.uic.plot.internal.trace.TimeSpan;
  * @param span the time from the left to the right edge
  * @param left the values at the left scale
  * @param right the values at the right scale, where there is one
+ * @param across the values from the left to the right edge, where these are no times
  */
 record AxisFrame(
     int index, List<TraceView> traces, Rectangle plot, Rectangle legend, Rectangle times, TimeSpan span, ValueSpan left,
-    Optional<ValueSpan> right) {
+    Optional<ValueSpan> right, Optional<ValueSpan> across) {
   private static final double FAR = 20_000;
+
+  /** Whether its traces are shown over another signal. */
+  boolean isCurve() {
+    return across.isPresent();
+  }
+
+  /** Where a value of the signal across lies. */
+  float across(double value) {
+    ValueSpan values = across.orElseThrow();
+    return (float) Math.clamp(plot.x + (value - values.low()) / values.length() * plot.width, -FAR, FAR);
+  }
+
+  /** The value of the signal across at a place. */
+  double valueAcross(int x) {
+    ValueSpan values = across.orElseThrow();
+    return values.low() + (double) (x - plot.x) / Math.max(1, plot.width) * values.length();
+  }
+
+  /** What a point of the screen shows of both scales. */
+  Curve.Fineness fineness(boolean atRight) {
+    return new Curve.Fineness(across.orElseThrow().length() / Math.max(1, plot.width),
+        values(atRight).length() / Math.max(1, plot.height));
+  }
 
   ValueSpan values(boolean atRight) {
     return atRight ? right.orElse(left) : left;

@@ -3,6 +3,7 @@ package org.robotui.uic.plot.internal.view;
 import java.time.ZoneId;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.graphics.GC;
 import org.eclipse.swt.graphics.Point;
@@ -23,6 +24,7 @@ import org.robotui.uic.plot.internal.model.ValueSpan;
 final class AxisPainter {
   private static final int TICK_EVERY = 38;
   private static final int TIME_EVERY = 96;
+  private static final int VALUE_EVERY = 64;
   private static final int FIGURE_GAP = 8;
   private static final int LEAST_LOSS = 2;
   private static final int GROUND_ALPHA = 190;
@@ -40,9 +42,21 @@ final class AxisPainter {
     return Ticks.of(values.low(), values.high(), Math.max(2, height / TICK_EVERY + 1));
   }
 
-  List<TimeTicks.Tick> times(AxisFrame frame, boolean live) {
+  /** A line across an axis, and what stands below it. */
+  record Mark(float x, String label) {}
+
+  /** The times of an axis, or the values across it. */
+  List<Mark> marks(AxisFrame frame, boolean live) {
     int most = Math.max(1, frame.plot().width / TIME_EVERY);
-    return live ? TimeTicks.relative(frame.span(), most) : TimeTicks.absolute(frame.span(), most, zone);
+    if (frame.isCurve()) {
+      Ticks ticks = Ticks.of(frame.across().orElseThrow().low(), frame.across().orElseThrow().high(),
+          Math.max(2, frame.plot().width / VALUE_EVERY + 1));
+      return IntStream.range(0, ticks.count()).mapToObj(i -> new Mark(frame.across(ticks.at(i)), ticks.label(i)))
+          .toList();
+    }
+    List<TimeTicks.Tick> ticks = live ? TimeTicks.relative(frame.span(), most)
+        : TimeTicks.absolute(frame.span(), most, zone);
+    return ticks.stream().map(tick -> new Mark(frame.x(tick.time()), tick.label())).toList();
   }
 
   /** How much room the figures of an axis take beside it. */
@@ -58,25 +72,25 @@ final class AxisPainter {
     gc.setAntialias(SWT.OFF);
     gc.setLineWidth(1);
     gc.setLineStyle(SWT.LINE_SOLID);
-    List<TimeTicks.Tick> times = times(frame, live);
+    List<Mark> marks = marks(frame, live);
     if (filled) {
       losses(gc, frame);
       scale(gc, frame, frame.left(), false);
       frame.right().ifPresent(right -> scale(gc, frame, right, true));
-      grid(gc, frame, times);
+      grid(gc, frame, marks);
     }
     gc.setForeground(theme.color(Role.LINE));
     gc.drawLine(frame.plot().x, frame.plot().y + frame.plot().height, frame.plot().x + frame.plot().width,
         frame.plot().y + frame.plot().height);
     if (frame.times().height > 0) {
-      times(gc, frame, times);
+      figures(gc, frame, marks);
     }
   }
 
-  private void grid(GC gc, AxisFrame frame, List<TimeTicks.Tick> times) {
+  private void grid(GC gc, AxisFrame frame, List<Mark> marks) {
     gc.setForeground(theme.mix(Role.LINE, Role.PANEL, 0.55));
-    for (TimeTicks.Tick tick : times) {
-      int x = Math.round(frame.x(tick.time()));
+    for (Mark mark : marks) {
+      int x = Math.round(mark.x());
       gc.drawLine(x, frame.plot().y, x, frame.plot().y + frame.plot().height - 1);
     }
   }
@@ -114,6 +128,9 @@ final class AxisPainter {
     unit(frame, true).ifPresent(
         unit -> unit(gc, unit, frame.plot().x + frame.plot().width - gc.textExtent(unit).x - Theme.STEP,
             frame.plot().y + 1));
+    acrossName(frame).ifPresent(
+        name -> unit(gc, name, frame.plot().x + frame.plot().width - gc.textExtent(name).x - Theme.STEP,
+            frame.plot().y + frame.plot().height - gc.textExtent(name).y - 1));
   }
 
   private void unit(GC gc, String unit, int x, int y) {
@@ -126,17 +143,23 @@ final class AxisPainter {
     gc.drawText(unit, x, y, true);
   }
 
-  private void times(GC gc, AxisFrame frame, List<TimeTicks.Tick> ticks) {
-    gc.setFont(theme.font(Face.SMALL));
+  /** What lies along the horizontal scale of a curve, with its unit. */
+  static Optional<String> acrossName(AxisFrame frame) {
+    return frame.traces().stream().flatMap(t -> t.over().stream()).findFirst()
+        .map(over -> over.unit().isEmpty() ? over.label() : over.label() + " [" + over.unit() + "]");
+  }
+
+  private void figures(GC gc, AxisFrame frame, List<Mark> marks) {
+    gc.setFont(theme.font(frame.isCurve() ? Face.SMALL_FIGURES : Face.SMALL));
     gc.setForeground(theme.color(Role.DIM));
     int free = Integer.MIN_VALUE;
     int right = frame.times().x + frame.times().width;
-    for (TimeTicks.Tick tick : ticks) {
-      Point size = gc.textExtent(tick.label());
+    for (Mark mark : marks) {
+      Point size = gc.textExtent(mark.label());
       int x = Math.max(frame.times().x - size.x / 2,
-          Math.min(right - size.x, Math.round(frame.x(tick.time())) - size.x / 2));
+          Math.min(right - size.x, Math.round(mark.x()) - size.x / 2));
       if (x >= free) {
-        gc.drawText(tick.label(), x, frame.times().y + Theme.STEP, true);
+        gc.drawText(mark.label(), x, frame.times().y + Theme.STEP, true);
         free = x + size.x + FIGURE_GAP;
       }
     }
@@ -146,7 +169,7 @@ final class AxisPainter {
     gc.setBackground(theme.mix(Role.WARNING, Role.PANEL, 0.16));
     for (TraceView trace : frame.traces()) {
       for (Loss loss : trace.losses()) {
-        if (trace.drawn() && loss.to() >= frame.span().from() && loss.from() <= frame.span().to()) {
+        if (trace.drawn() && !frame.isCurve() && loss.to() >= frame.span().from() && loss.from() <= frame.span().to()) {
           int from = Math.max(frame.plot().x, Math.round(frame.x(loss.from())));
           int to = Math.min(frame.plot().x + frame.plot().width, Math.round(frame.x(loss.to())));
           gc.fillRectangle(from, frame.plot().y, Math.max(LEAST_LOSS, to - from), frame.plot().height);

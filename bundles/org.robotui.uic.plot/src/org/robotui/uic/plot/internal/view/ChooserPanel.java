@@ -21,7 +21,6 @@ import org.robotui.ui.control.FilterField;
 import org.robotui.ui.control.QuietButton;
 import org.robotui.ui.show.SubjectMenu;
 import org.robotui.uic.plot.internal.model.FieldTree;
-import org.robotui.uic.plot.internal.signal.ExprParser;
 
 /**
  * Where traces are chosen: a field that filters the tree below it, or takes a signal as it is typed. Display thread.
@@ -55,6 +54,7 @@ public final class ChooserPanel {
   private final Theme theme;
   private final Robot robot;
   private final Function<String, Optional<String>> add;
+  private final Function<String, Optional<String>> check;
   private final FieldTree tree = new FieldTree();
   private final Composite root;
   private final PaintedCanvas ground;
@@ -68,9 +68,12 @@ public final class ChooserPanel {
    * A panel that is not seen yet.
    *
    * @param add adds what was chosen, and says what is wrong with it
+   * @param check says what is wrong with a signal that is being typed
    * @param closed is run when it is to go
    */
-  ChooserPanel(Composite parent, Theme theme, Robot robot, Function<String, Optional<String>> add, Runnable closed) {
+  ChooserPanel(Composite parent, Theme theme, Robot robot, Function<String, Optional<String>> add,
+      Function<String, Optional<String>> check, Runnable closed) {
+    this.check = check;
     this.theme = theme;
     this.robot = robot;
     this.add = add;
@@ -187,12 +190,7 @@ public final class ChooserPanel {
     if (!isSignal()) {
       return Optional.empty();
     }
-    try {
-      ExprParser.parse(text.words());
-      return Optional.empty();
-    } catch (IllegalArgumentException e) {
-      return Optional.of(e.getMessage());
-    }
+    return check.apply(text.words());
   }
 
   private final class Hands implements FieldList.Hands {

@@ -14,11 +14,14 @@ final class DropZone implements PortDrag.Target {
   /** What is done with what was dropped. */
   interface Taker {
     /** Adds signals, one a line, to an axis. */
-    void signals(String text, int axis);
+    void signals(String text, Place place);
 
     /** Adds ports to an axis, or asks which of their fields. */
-    void ports(DraggedPorts ports, int axis, Point at);
+    void ports(DraggedPorts ports, Place place, Point at);
   }
+
+  /** An axis, a new one where there are fewer; and whether what is dropped becomes its horizontal scale. */
+  record Place(int axis, boolean across) {}
 
   private final Canvas canvas;
   private final PlotPainter painter;
@@ -32,10 +35,11 @@ final class DropZone implements PortDrag.Target {
     PortDrag.to(canvas, true, this);
   }
 
-  /** The axis at a point; a new one outside of all. */
-  int axisAt(Point point) {
-    return painter.frames().stream().filter(f -> f.plot().contains(point) || f.legend().contains(point))
-        .findFirst().map(AxisFrame::index).orElse(painter.frames().size());
+  /** The axis at a point; below its plot, its horizontal scale; a new one outside of all. */
+  Place placeAt(Point point) {
+    return painter.frames().stream()
+        .filter(f -> f.plot().contains(point) || f.legend().contains(point) || f.times().contains(point)).findFirst()
+        .map(f -> new Place(f.index(), f.times().contains(point))).orElse(new Place(painter.frames().size(), false));
   }
 
   /** Whether something is held over the view. */
@@ -45,20 +49,20 @@ final class DropZone implements PortDrag.Target {
 
   void paint(GC gc, Rectangle area) {
     over.ifPresent(point -> {
-      int axis = axisAt(point);
-      boolean isNew = axis >= painter.frames().size();
-      Rectangle at = isNew ? below(area) : painter.frames().get(axis).plot();
-      painter.target(gc, at, isNew ? "New axis" : "Add to this axis");
+      Place place = placeAt(point);
+      boolean isNew = place.axis() >= painter.frames().size();
+      if (place.across()) {
+        painter.target(gc, painter.frames().get(place.axis()).times(), "Plot over this");
+      } else {
+        painter.target(gc, isNew ? all(area) : painter.frames().get(place.axis()).plot(),
+            isNew ? "New axis" : "Add to this axis");
+      }
     });
   }
 
-  private Rectangle below(Rectangle area) {
-    if (painter.frames().isEmpty()) {
-      return new Rectangle(area.x + Theme.EDGE, area.y + Theme.EDGE, area.width - 2 * Theme.EDGE,
-          area.height - 2 * Theme.EDGE);
-    }
-    int height = Frames.TIMES;
-    return new Rectangle(area.x, area.y + area.height - height, area.width, height);
+  private static Rectangle all(Rectangle area) {
+    return new Rectangle(area.x + Theme.EDGE, area.y + Theme.EDGE, area.width - 2 * Theme.EDGE,
+        area.height - 2 * Theme.EDGE);
   }
 
   @Override
@@ -69,11 +73,11 @@ final class DropZone implements PortDrag.Target {
 
   @Override
   public void dropped(DraggedPorts ports, Point at) {
-    taker.ports(ports, axisAt(at), at);
+    taker.ports(ports, placeAt(at), at);
   }
 
   @Override
   public void dropped(String text, Point at) {
-    taker.signals(text, axisAt(at));
+    taker.signals(text, placeAt(at));
   }
 }

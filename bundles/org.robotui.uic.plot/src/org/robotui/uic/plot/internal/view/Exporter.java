@@ -49,8 +49,7 @@ public final class Exporter {
 
   /** Has all traces that are drawn written. */
   public void export(PlotScene scene, TimeSpan span, String file) {
-    List<CsvExport.Column> columns = scene.traces().filter(TraceView::drawn)
-        .map(t -> new CsvExport.Column(t.spec().signal(), t.unit(), t.series().orElseThrow().samples())).toList();
+    List<CsvExport.Column> columns = scene.traces().filter(TraceView::drawn).flatMap(CsvExport.Column::of).toList();
     say("writing " + file, true);
     background.execute(() -> write(file, path -> rows(path, new CsvExport(columns, span)::write)));
   }

@@ -3,11 +3,14 @@ package org.robotui.uic.plot.internal.view;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import org.eclipse.swt.graphics.Rectangle;
 import org.robotui.ui.Theme;
+import org.robotui.uic.plot.internal.model.AxisSpec;
 import org.robotui.uic.plot.internal.model.PlotScene;
 import org.robotui.uic.plot.internal.model.PlotSpec.LegendPlace;
 import org.robotui.uic.plot.internal.model.TraceView;
+import org.robotui.uic.plot.internal.model.ValueSpan;
 import org.robotui.uic.plot.internal.trace.TimeSpan;
 
 /**
@@ -46,28 +49,32 @@ final class Frames {
     int side = place == LegendPlace.SIDE ? SIDE : 0;
     int left = area.x + gutter;
     int width = Math.max(LEAST_PLOT, area.width - gutter - side - (right ? gutter : Theme.EDGE));
-    boolean own = !scene.spec().linked();
-    int below = own ? TIMES : 0;
     int chips = place == LegendPlace.TOP ? CHIPS : 0;
-    int spare =
-        area.height - (place == LegendPlace.TOP ? Theme.STEP : TOP) - (own ? Theme.STEP : TIMES) - (count - 1) * GAP;
-    int each = Math.max(LEAST_PLOT + chips + below, spare / Math.max(1, count));
+    int[] below = IntStream.range(0, count).map(i -> hasFigures(scene, i) ? TIMES : 0).toArray();
+    int spare = area.height - (place == LegendPlace.TOP ? Theme.STEP : TOP) - (count - 1) * GAP
+        - IntStream.of(below).sum() - (scene.spec().linked() ? 0 : Theme.STEP);
+    int each = Math.max(LEAST_PLOT + chips, spare / Math.max(1, count));
     List<AxisFrame> frames = new ArrayList<>();
     int top = area.y + (place == LegendPlace.TOP ? Theme.STEP : TOP);
     for (int i = 0; i < count; i++) {
-      Rectangle plot = new Rectangle(left, top + chips, width, each - chips - below);
+      Rectangle plot = new Rectangle(left, top + chips, width, each - chips);
       Rectangle legend = switch (place) {
         case SIDE -> new Rectangle(area.x + area.width - side, plot.y, side, plot.height);
         case TOP -> new Rectangle(left, top, width, chips);
         default -> new Rectangle(0, 0, 0, 0);
       };
-      boolean last = i == count - 1;
-      Rectangle times =
-          own || last ? new Rectangle(left, plot.y + plot.height, width, TIMES) : new Rectangle(0, 0, 0, 0);
-      frames.add(frame(scene, state, i, plot, legend, times));
-      top += each + GAP;
+      Rectangle figures = new Rectangle(left, plot.y + plot.height, below[i] > 0 ? width : 0, below[i]);
+      frames.add(frame(scene, state, i, plot, legend, figures));
+      top += each + below[i] + GAP;
     }
     return frames;
+  }
+
+  /** Whether figures stand below an axis: of a curve its own, of time where it is the last that shows the same. */
+  private static boolean hasFigures(PlotScene scene, int axis) {
+    List<AxisSpec> axes = scene.spec().axes();
+    return !scene.spec().linked() || axes.get(axis).x().isPresent()
+        || axes.subList(axis + 1, axes.size()).stream().allMatch(later -> later.x().isPresent());
   }
 
   private static AxisFrame frame(PlotScene scene, PlotState state, int axis, Rectangle plot, Rectangle legend,
@@ -75,7 +82,12 @@ final class Frames {
     List<TraceView> traces = scene.axes().get(axis);
     TimeSpan span = state.span(scene, axis);
     boolean right = traces.stream().anyMatch(t -> t.spec().right() && t.drawn());
-    return new AxisFrame(axis, traces, plot, legend, times, span, state.values(scene, axis, false, span),
-        right ? Optional.of(state.values(scene, axis, true, span)) : Optional.empty());
+    ValueSpan left = state.values(scene, axis, false, span);
+    Optional<ValueSpan> across = state.across(scene, axis, span);
+    Optional<EqualScales> equal =
+        across.filter(a -> EqualScales.wanted(traces)).map(a -> EqualScales.of(left, a, plot));
+    return new AxisFrame(axis, traces, plot, legend, times, span, equal.map(EqualScales::left).orElse(left),
+        right ? Optional.of(state.values(scene, axis, true, span)) : Optional.empty(),
+        equal.map(EqualScales::across).or(() -> across));
   }
 }

@@ -1,5 +1,6 @@
 package org.robotui.uic.plot.internal.view;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
 import org.eclipse.swt.SWT;
@@ -15,9 +16,9 @@ import org.robotui.uic.plot.internal.model.ValueSpan;
 import org.robotui.uic.plot.internal.trace.TimeSpan;
 
 /**
- * Looks around: drag moves time, wheel zooms time, with shift or control values; a drag with shift marks a box to zoom
- * into; over the figures of a scale drag and wheel move and zoom values; double click goes back to live. Display
- * thread.
+ * Looks around (over time; curves are moved and zoomed by their values, see {@link CurveZoom}): drag moves time, wheel
+ * zooms time, with shift or control values; a drag with shift marks a box to zoom into; over the figures of a scale
+ * drag and wheel move and zoom values; double click goes back to live. Display thread.
  */
 final class Navigation {
   private static final double STEP = 1.25;
@@ -29,6 +30,7 @@ final class Navigation {
   private final Supplier<PlotScene> scene;
   private final PlotState state;
   private final PlotPainter painter;
+  private final CurveZoom zoom;
   private Optional<Drag> drag = Optional.empty();
   private Optional<Long> before = Optional.empty();
   private boolean dragged;
@@ -38,10 +40,11 @@ final class Navigation {
     this.scene = scene;
     this.state = state;
     this.painter = painter;
+    this.zoom = new CurveZoom(state);
   }
 
   private enum Kind {
-    TIME, VALUES, BOX, CURSOR_A, CURSOR_B, POSITION
+    TIME, VALUES, BOX, CURSOR_A, CURSOR_B, POSITION, CURVE
   }
 
   /** What is held, since where, and how all lay then. */
@@ -98,17 +101,20 @@ final class Navigation {
 
   private Optional<Drag> grab(Event event, AxisFrame frame) {
     Point start = new Point(event.x, event.y);
+    if (frame.isCurve() && (event.stateMask & SWT.SHIFT) == 0) {
+      return Optional.of(new Drag(Kind.CURVE, frame, start));
+    }
     if (!frame.plot().contains(start)) {
       return Optional.of(new Drag(Kind.VALUES, frame, start));
     }
-    Optional<CursorPair> cursors = state.cursors();
+    Optional<CursorPair> cursors = state.cursors().filter(c -> !frame.isCurve());
     if (event.button == 1 && cursors.filter(c -> PointerPainter.near(frame, c.b(), event.x)).isPresent()) {
       return Optional.of(new Drag(Kind.CURSOR_B, frame, start));
     }
     if (event.button == 1 && cursors.filter(c -> PointerPainter.near(frame, c.a(), event.x)).isPresent()) {
       return Optional.of(new Drag(Kind.CURSOR_A, frame, start));
     }
-    boolean position = event.button == 1 && scene.get().replay()
+    boolean position = event.button == 1 && !frame.isCurve() && scene.get().replay()
         .filter(replay -> PointerPainter.near(frame, replay.position(), event.x)).isPresent();
     if (position) {
       return Optional.of(new Drag(Kind.POSITION, frame, start));
@@ -136,6 +142,12 @@ final class Navigation {
       case POSITION -> seek(d.frame().time(Math.clamp(here.x, d.frame().plot().x,
           d.frame().plot().x + d.frame().plot().width)));
       case TIME -> dragTime(d, here);
+      case CURVE -> {
+        dragged |= Math.abs(here.x - d.start().x) > STILL || Math.abs(here.y - d.start().y) > STILL;
+        if (dragged) {
+          zoom.moved(d.frame(), here.x - d.start().x, here.y - d.start().y);
+        }
+      }
       case VALUES -> dragValues(d, here.y - d.start().y, true);
     }
   }
@@ -174,9 +186,11 @@ final class Navigation {
 
   /** A click into a plot of recordings goes to that time. */
   private void clicked(Drag d) {
-    if (!dragged && d.kind() == Kind.TIME) {
+    boolean still =
+        !dragged && (d.kind() == Kind.TIME || d.kind() == Kind.CURVE && d.frame().plot().contains(d.start()));
+    if (still) {
       before = scene.get().replay().map(Replay::position);
-      seek(d.frame().time(d.start().x));
+      painter.timeAt(d.frame(), d.start()).ifPresent(this::seek);
     }
   }
 
@@ -193,6 +207,10 @@ final class Navigation {
       return;
     }
     int axis = frame.index();
+    if (frame.isCurve()) {
+      zoom.into(frame, box);
+      return;
+    }
     TimeSpan span = new TimeSpan(frame.time(box.x), Math.max(frame.time(box.x) + 1, frame.time(box.x + box.width)));
     state.time(scene.get(), axis, state.time(scene.get(), axis).hold(span));
     for (boolean right : new boolean[]{false, true}) {
@@ -216,6 +234,11 @@ final class Navigation {
     Point point = new Point(event.x, event.y);
     double factor = event.count > 0 ? 1 / STEP : STEP;
     at(point).ifPresent(frame -> {
+      if (frame.isCurve()) {
+        zoom.zoomed(frame, factor, point);
+        canvas.redraw();
+        return;
+      }
       boolean values = (event.stateMask & (SWT.SHIFT | SWT.CTRL)) != 0 || !frame.plot().contains(point);
       if (values) {
         zoomValues(frame, factor, point.y);
@@ -246,7 +269,8 @@ final class Navigation {
     return painter.frames().stream().filter(f -> {
       Rectangle plot = f.plot();
       boolean legend = f.legend().contains(point);
-      return !legend && point.y >= plot.y && point.y < plot.y + plot.height;
+      int figures = f.isCurve() ? f.times().height : 0;
+      return !legend && point.y >= plot.y && point.y < plot.y + plot.height + figures;
     }).findFirst();
   }
 
@@ -271,9 +295,14 @@ final class Navigation {
   }
 
   private void keyZoom(double factor) {
-    painter.frames().stream().findFirst().ifPresent(f -> zoomTime(f, factor, scene.get().replay().map(Replay::position)
+    List<AxisFrame> overTime = painter.frames().stream().filter(f -> !f.isCurve()).toList();
+    if (overTime.isEmpty()) {
+      painter.frames().forEach(f -> zoom.zoomed(f, factor, CurveZoom.middle(f)));
+    }
+    overTime.stream().findFirst().ifPresent(f -> zoomTime(f, factor, scene.get().replay().map(Replay::position)
         .filter(f.span()::contains).map(position -> Math.round(f.x(position)))
         .orElse(f.plot().x + f.plot().width / 2)));
+    canvas.redraw();
   }
 
   private void keyValues(Event event, double share) {
@@ -288,8 +317,11 @@ final class Navigation {
   }
 
   private void shift(double share) {
+    boolean onlyCurves = painter.frames().stream().allMatch(AxisFrame::isCurve);
     for (AxisFrame frame : painter.frames()) {
-      if (frame.index() == 0 || !scene.get().spec().linked()) {
+      if (onlyCurves) {
+        zoom.moved(frame, (int) Math.round(-share * frame.plot().width), 0);
+      } else if (frame.index() == 0 || !scene.get().spec().linked()) {
         TimeSpan seen = state.span(scene.get(), frame.index());
         state.time(scene.get(), frame.index(),
             state.time(scene.get(), frame.index()).moved(seen, Math.round(seen.length() * share)));

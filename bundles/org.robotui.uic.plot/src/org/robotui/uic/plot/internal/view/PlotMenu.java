@@ -4,6 +4,8 @@ import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import org.eclipse.swt.graphics.Point;
 import org.eclipse.swt.widgets.Control;
@@ -85,28 +87,54 @@ final class PlotMenu {
 
   private static Optional<AxisFrame> axisAt(PlotPainter painter, Point at) {
     return painter.frames().stream()
-        .filter(f -> at.y >= f.plot().y && at.y < f.plot().y + f.plot().height || f.legend().contains(at)).findFirst();
+        .filter(f -> at.y >= f.plot().y && at.y < f.plot().y + f.plot().height || f.legend().contains(at)
+            || f.isCurve() && f.times().contains(at))
+        .findFirst();
   }
 
   private void axis(PopupMenu menu, PlotScene scene, AxisFrame frame) {
     int axis = frame.index();
     range(menu.under("Left scale"), axis, false, scene.spec().axes().get(axis).left(), frame.left());
+    frame.across().ifPresent(shown -> across(menu.under("Horizontal scale"), axis,
+        scene.spec().axes().get(axis).across(), shown));
     frame.right()
         .ifPresent(shown -> range(menu.under("Right scale"), axis, true, scene.spec().axes().get(axis).right(), shown));
+    over(menu.under("Plot over"), scene, axis);
     menu.push("Zoom back", () -> commands.zoomBack(axis));
     menu.line();
     menu.push("Remove axis", () -> edits.axes(s -> s.withoutAxis(axis)));
   }
 
-  private void range(PopupMenu menu, int axis, boolean right, YRange now, ValueSpan shown) {
-    menu.radio("Fits what is seen", now instanceof YRange.Auto, () -> range(axis, right, new YRange.Auto()));
-    menu.radio("Grows, never shrinks", now instanceof YRange.Hold, () -> range(axis, right, new YRange.Hold()));
-    menu.radio("Fixed as it is now", now instanceof YRange.Fixed,
-        () -> range(axis, right, new YRange.Fixed(shown.low(), shown.high())));
+  /** Time, or one of the signals of the plot. */
+  private void over(PopupMenu menu, PlotScene scene, int axis) {
+    Optional<String> now = scene.spec().axes().get(axis).x();
+    menu.radio("Time", now.isEmpty(), () -> over(axis, Optional.empty()));
+    Stream.concat(now.stream(), scene.traces().map(t -> t.spec().signal())).distinct()
+        .forEach(signal -> menu.radio(signal, now.equals(Optional.of(signal)), () -> over(axis, Optional.of(signal))));
   }
 
-  private void range(int axis, boolean right, YRange range) {
-    edits.axes(s -> s.withAxis(axis, a -> a.withRange(right, range)));
+  private void over(int axis, Optional<String> signal) {
+    edits.axes(s -> s.withAxis(axis, a -> a.over(signal)));
+    commands.zoomBack(axis);
+  }
+
+  private void range(PopupMenu menu, int axis, boolean right, YRange now, ValueSpan shown) {
+    range(menu, now, shown, next -> range(axis, a -> a.withRange(right, next)));
+  }
+
+  private void across(PopupMenu menu, int axis, YRange now, ValueSpan shown) {
+    range(menu, now, shown, next -> range(axis, a -> a.withAcross(next)));
+  }
+
+  private static void range(PopupMenu menu, YRange now, ValueSpan shown, Consumer<YRange> change) {
+    menu.radio("Fits what is seen", now instanceof YRange.Auto, () -> change.accept(new YRange.Auto()));
+    menu.radio("Grows, never shrinks", now instanceof YRange.Hold, () -> change.accept(new YRange.Hold()));
+    menu.radio("Fixed as it is now", now instanceof YRange.Fixed,
+        () -> change.accept(new YRange.Fixed(shown.low(), shown.high())));
+  }
+
+  private void range(int axis, UnaryOperator<AxisSpec> change) {
+    edits.axes(s -> s.withAxis(axis, change));
     commands.zoomBack(axis);
   }
 

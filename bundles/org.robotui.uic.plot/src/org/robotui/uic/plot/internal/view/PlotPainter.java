@@ -27,6 +27,8 @@ final class PlotPainter {
   private final StateView states;
   private final AxisPainter axes;
   private final TracePainter lines;
+  private final CurvePainter curves;
+  private final CurveMarks marks;
   private final LegendPainter legends;
   private final PointerPainter pointers;
   private List<AxisFrame> frames = List.of();
@@ -40,6 +42,8 @@ final class PlotPainter {
     this.lines = new TracePainter(theme);
     this.legends = new LegendPainter(theme, lines);
     this.pointers = new PointerPainter(theme, lines, zone);
+    this.curves = new CurvePainter(lines);
+    this.marks = new CurveMarks(theme, lines, pointers, zone);
   }
 
   /** Where the axes lay when painted last. */
@@ -59,8 +63,9 @@ final class PlotPainter {
       return;
     }
     frames = frames(gc, area, scene, state);
+    curves.begin(scene);
     Optional<AxisFrame> pointed = state.pointer().flatMap(this::plotAt);
-    state.tell(pointed.map(p -> OptionalLong.of(p.time(state.pointer().orElseThrow().x)))
+    state.tell(pointed.flatMap(p -> timeAt(p, state.pointer().orElseThrow())).map(OptionalLong::of)
         .orElse(OptionalLong.empty()));
     List<LegendPainter.Place> named = new ArrayList<>();
     for (AxisFrame frame : frames) {
@@ -100,6 +105,11 @@ final class PlotPainter {
     return frames.stream().filter(f -> f.plot().contains(point)).findFirst();
   }
 
+  /** The time at a place within an axis; none where a curve is far from there. */
+  Optional<Long> timeAt(AxisFrame frame, Point at) {
+    return frame.isCurve() ? curves.nearest(frame, at).map(hit -> hit.at().time()) : Optional.of(frame.time(at.x));
+  }
+
   /** With as much room for figures as the widest needs; it grows, and does not shrink, so that nothing jumps. */
   private List<AxisFrame> frames(GC gc, Rectangle area, PlotScene scene, PlotState state) {
     List<AxisFrame> made = Frames.of(area, scene, state, gutter);
@@ -116,14 +126,18 @@ final class PlotPainter {
     for (TraceView trace : frame.traces()) {
       if (trace.drawn()) {
         LineStyle style = trace.spec().style().orElse(scene.spec().style());
-        lines.paint(gc, frame, trace, style, together);
+        if (frame.isCurve() && trace.over().isPresent()) {
+          curves.paint(gc, frame, trace, style, together);
+        } else {
+          lines.paint(gc, frame, trace, style, together);
+        }
       }
     }
   }
 
   private Optional<Long> pointedTime(Optional<AxisFrame> pointed, PlotScene scene, AxisFrame frame, PlotState state) {
     return pointed.filter(p -> scene.spec().linked() || p.index() == frame.index())
-        .map(p -> p.time(state.pointer().orElseThrow().x)).or(() -> elsewhere(frame, state));
+        .flatMap(p -> timeAt(p, state.pointer().orElseThrow())).or(() -> elsewhere(frame, state));
   }
 
   /** Where the pointer is in another view: the values of that time are shown here too. */
@@ -138,11 +152,11 @@ final class PlotPainter {
       message(gc, frame);
       return;
     }
-    scene.replay().ifPresent(replay -> pointers.position(gc, frame, replay));
-    state.cursors().ifPresent(c -> pointers.cursors(gc, frame, c, frame.index() == 0 || !scene.spec().linked()));
-    if (state.box().isEmpty()) {
-      pointedTime(pointed, scene, frame, state).ifPresent(time -> pointers.values(gc, frame, time,
-          pointed.filter(p -> p.index() == frame.index()).isPresent(), state.pointer().map(at -> at.y).orElse(0)));
+    boolean here = pointed.filter(p -> p.index() == frame.index()).isPresent();
+    if (frame.isCurve()) {
+      overCurve(gc, frame, scene, state, here, pointedTime(pointed, scene, frame, state));
+    } else {
+      overTime(gc, frame, scene, state, here, pointedTime(pointed, scene, frame, state));
     }
     TraceView first = frame.traces().getFirst();
     if (frame.traces().stream().allMatch(t -> t.state() instanceof InputState.Stale)) {
@@ -153,8 +167,26 @@ final class PlotPainter {
     }
   }
 
+  private void overTime(GC gc, AxisFrame frame, PlotScene scene, PlotState state, boolean here, Optional<Long> time) {
+    scene.replay().ifPresent(replay -> pointers.position(gc, frame, replay));
+    state.cursors().ifPresent(c -> pointers.cursors(gc, frame, c, frame.index() == 0 || !scene.spec().linked()));
+    if (state.box().isEmpty()) {
+      time.ifPresent(at -> pointers.values(gc, frame, at, here, state.pointer().map(p -> p.y).orElse(0)));
+    }
+  }
+
+  private void overCurve(GC gc, AxisFrame frame, PlotScene scene, PlotState state, boolean here, Optional<Long> time) {
+    marks.paint(gc, frame, scene, state.cursors());
+    if (here && state.box().isEmpty()) {
+      curves.nearest(frame, state.pointer().orElseThrow()).ifPresent(hit -> marks.pointed(gc, frame, hit));
+    } else if (state.box().isEmpty()) {
+      time.ifPresent(at -> marks.pointed(gc, frame, at));
+    }
+  }
+
   private static boolean hasSamples(AxisFrame frame) {
-    return frame.traces().stream().anyMatch(t -> t.series().filter(s -> s.size() > 0).isPresent());
+    return frame.traces().stream()
+        .anyMatch(t -> t.series().filter(s -> s.size() > 1 || s.newest().isPresent()).isPresent());
   }
 
   /** Why there is nothing to see on an axis. */

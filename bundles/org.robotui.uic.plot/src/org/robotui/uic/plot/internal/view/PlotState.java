@@ -4,10 +4,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
+import java.util.function.Supplier;
 import org.eclipse.swt.graphics.Point;
 import org.eclipse.swt.graphics.Rectangle;
 import org.robotui.api.time.PointedTime;
 import org.robotui.uic.plot.internal.model.AutoRange;
+import org.robotui.uic.plot.internal.model.AxisSpec;
 import org.robotui.uic.plot.internal.model.CursorPair;
 import org.robotui.uic.plot.internal.model.PlotScene;
 import org.robotui.uic.plot.internal.model.TimeView;
@@ -21,6 +23,8 @@ import org.robotui.uic.plot.internal.trace.TimeSpan;
 public final class PlotState {
   private static final double WHOLE = 0.95;
   private static final double PARTS = 10;
+  private static final int ACROSS = 2;
+  private static final int SIDES = 3;
 
   private final List<TimeView> times = new ArrayList<>(List.of(TimeView.LIVE));
   private final List<Scale> scales = new ArrayList<>();
@@ -109,34 +113,49 @@ public final class PlotState {
     scales.forEach(s -> s.zoomed = Optional.empty());
   }
 
+  /** The values across an axis that are shown, where it has no times. */
+  Optional<ValueSpan> across(PlotScene scene, int axis, TimeSpan span) {
+    AxisSpec spec = scene.spec().axes().get(axis);
+    return spec.x().map(x -> values(spec.across(), scale(axis, ACROSS), () -> seen(scene.axes().get(axis), span)));
+  }
+
+  void zoomAcross(int axis, ValueSpan values) {
+    scale(axis, ACROSS).zoomed = Optional.of(values);
+  }
+
   /** The values that a scale shows: where the user zoomed to, else the fixed ones, else those that are in sight. */
   ValueSpan values(PlotScene scene, int axis, boolean right, TimeSpan span) {
-    Scale scale = scale(axis, right);
+    return values(scene.spec().axes().get(axis).range(right), scale(axis, side(right)),
+        () -> seen(scene.axes().get(axis), right, span));
+  }
+
+  private static ValueSpan values(YRange range, Scale scale, Supplier<Summary> seen) {
     if (scale.zoomed.isPresent()) {
       return scale.zoomed.get();
     }
-    ValueSpan next = switch (scene.spec().axes().get(axis).range(right)) {
+    ValueSpan next = switch (range) {
       case YRange.Fixed f -> new ValueSpan(f.low(), f.high());
-      case YRange.Hold h -> AutoRange.next(seen(scene.axes().get(axis), right, span), scale.shown, true);
-      case YRange.Auto a -> AutoRange.next(seen(scene.axes().get(axis), right, span), scale.shown, false);
+      case YRange.Hold h -> AutoRange.next(seen.get(), scale.shown, true);
+      case YRange.Auto a -> AutoRange.next(seen.get(), scale.shown, false);
     };
     scale.shown = Optional.of(next);
     return next;
   }
 
   void zoom(int axis, boolean right, ValueSpan values) {
-    scale(axis, right).zoomed = Optional.of(values);
+    scale(axis, side(right)).zoomed = Optional.of(values);
   }
 
   /** Whether the user zoomed a scale. */
   boolean isZoomed(int axis, boolean right) {
-    return scale(axis, right).zoomed.isPresent();
+    return scale(axis, side(right)).zoomed.isPresent();
   }
 
   /** Shows what is configured for all scales of an axis. */
   void unzoom(int axis) {
-    scale(axis, false).zoomed = Optional.empty();
-    scale(axis, true).zoomed = Optional.empty();
+    for (int side = 0; side < SIDES; side++) {
+      scale(axis, side).zoomed = Optional.empty();
+    }
   }
 
   /** Forgets the ranges shown so far: the axes are others now. */
@@ -190,8 +209,19 @@ public final class PlotState {
     return all;
   }
 
-  private Scale scale(int axis, boolean right) {
-    int index = 2 * axis + (right ? 1 : 0);
+  private static Summary seen(List<TraceView> traces, TimeSpan span) {
+    Summary all = new Summary();
+    traces.stream().filter(TraceView::drawn).flatMap(t -> t.over().stream())
+        .forEach(over -> over.curve().x().summarize(span, all));
+    return all;
+  }
+
+  private static int side(boolean right) {
+    return right ? 1 : 0;
+  }
+
+  private Scale scale(int axis, int side) {
+    int index = SIDES * axis + side;
     while (scales.size() <= index) {
       scales.add(new Scale());
     }

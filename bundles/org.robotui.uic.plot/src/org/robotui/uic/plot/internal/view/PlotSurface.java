@@ -74,7 +74,8 @@ public final class PlotSurface implements ViewSurface {
     root.setBackground(context.theme().color(Role.PANEL));
     this.canvas = new PaintedCanvas(root, context.theme(), this::paint);
     this.chooser =
-        new ChooserPanel(root, context.theme(), robot, text -> edits.add(text, lastAxis()), this::closeChooser);
+        new ChooserPanel(root, context.theme(), robot, text -> edits.add(text, lastAxis()), edits::fault,
+            this::closeChooser);
     this.statistics = new StatisticsPane(root, context.theme(), () -> showStatistics(true));
     this.bins = new BinsPane(root, context.theme(), exporter.background(), exporter::write,
         () -> showStatistics(false));
@@ -124,7 +125,7 @@ public final class PlotSurface implements ViewSurface {
     if (stream.fields().isEmpty()) {
       choose(stream.port());
     } else {
-      ports.signals(PortAdder.signals(stream.port(), stream.fields()), lastAxis());
+      ports.signals(PortAdder.signals(stream.port(), stream.fields()), new DropZone.Place(lastAxis(), false));
     }
   }
 
@@ -324,6 +325,12 @@ public final class PlotSurface implements ViewSurface {
     @Override
     public void add(String signals, int axis) {
       edits.add(signals, axis).ifPresent(this::refuse);
+    }
+
+    @Override
+    public void over(String signal, int axis) {
+      edits.over(signal, axis).ifPresent(this::refuse);
+      state.unzoom(axis);
     }
 
     @Override

@@ -9,11 +9,13 @@ import org.robotui.ui.Palette;
 import org.robotui.ui.Role;
 import org.robotui.ui.SvgWriter;
 import org.robotui.ui.SvgWriter.Anchor;
+import org.robotui.uic.plot.internal.model.CurveView;
 import org.robotui.uic.plot.internal.model.LineStyle;
 import org.robotui.uic.plot.internal.model.Ticks;
-import org.robotui.uic.plot.internal.model.TimeTicks;
 import org.robotui.uic.plot.internal.model.TraceView;
 import org.robotui.uic.plot.internal.model.ValueSpan;
+import org.robotui.uic.plot.internal.trace.Curve;
+import org.robotui.uic.plot.internal.trace.CurveSketch;
 import org.robotui.uic.plot.internal.trace.Sketch;
 
 /** What a plot shows as SVG, for papers: axes, lines and names, in the colours of a theme. Pure. */
@@ -69,6 +71,8 @@ final class PlotSvg {
         .ifPresent(unit -> out.text(plot.x + 4, plot.y + BODY, SMALL, Anchor.START, palette.rgb(Role.DIM), unit));
     AxisPainter.unit(frame, true).ifPresent(
         unit -> out.text(plot.x + plot.width - 4, plot.y + BODY, SMALL, Anchor.END, palette.rgb(Role.DIM), unit));
+    AxisPainter.acrossName(frame).ifPresent(name -> out.text(plot.x + plot.width - 4, plot.y + plot.height - 4, SMALL,
+        Anchor.END, palette.rgb(Role.DIM), name));
     names(frame);
   }
 
@@ -89,12 +93,12 @@ final class PlotSvg {
     Rectangle plot = frame.plot();
     rule(plot.x, plot.y + plot.height, plot.x + plot.width, plot.y + plot.height);
     double free = Double.NEGATIVE_INFINITY;
-    for (TimeTicks.Tick tick : axes.times(frame, live)) {
-      float x = frame.x(tick.time());
-      double half = width(tick.label(), SMALL) / 2;
+    for (AxisPainter.Mark mark : axes.marks(frame, live)) {
+      float x = mark.x();
+      double half = width(mark.label(), SMALL) / 2;
       rule(x, plot.y, x, plot.y + plot.height);
       if (frame.times().height > 0 && x - half >= free) {
-        out.text(x, frame.times().y + BODY + 4, SMALL, Anchor.MIDDLE, palette.rgb(Role.DIM), tick.label());
+        out.text(x, frame.times().y + BODY + 4, SMALL, Anchor.MIDDLE, palette.rgb(Role.DIM), mark.label());
         free = x + half + GAP;
       }
     }
@@ -110,6 +114,10 @@ final class PlotSvg {
   }
 
   private void line(AxisFrame frame, TraceView trace) {
+    if (trace.over().isPresent()) {
+      curve(frame, trace, trace.over().get());
+      return;
+    }
     Sketch sketch = new Sketch();
     trace.series().orElseThrow().sketch(frame.span(), FINER * Math.max(1, frame.plot().width), sketch);
     LineStyle style = trace.spec().style().orElse(usual);
@@ -122,6 +130,27 @@ final class PlotSvg {
       }
       begun = there;
     }
+    path(path, trace, style);
+  }
+
+  private void curve(AxisFrame frame, TraceView trace, CurveView over) {
+    CurveSketch sketch = new CurveSketch();
+    Curve.Fineness screen = frame.fineness(trace.spec().right());
+    over.curve().sketch(frame.span(), new Curve.Fineness(screen.x() / FINER, screen.y() / FINER), sketch);
+    LineStyle style = trace.spec().style().orElse(usual) == LineStyle.DOTS ? LineStyle.DOTS : LineStyle.LINE;
+    StringBuilder path = new StringBuilder();
+    boolean begun = false;
+    for (int i = 0; i < sketch.size(); i++) {
+      boolean there = !Double.isNaN(sketch.y(i));
+      if (there) {
+        point(path, style, begun, frame.across(sketch.x(i)), frame.y(sketch.y(i), trace.spec().right()));
+      }
+      begun = there;
+    }
+    path(path, trace, style);
+  }
+
+  private void path(StringBuilder path, TraceView trace, LineStyle style) {
     boolean dots = style == LineStyle.DOTS;
     out.element("<path d=\"%s\" stroke=\"%s\"%s/>", path, SvgWriter.color(color(trace)),
         dots ? " stroke-width=\"3\" stroke-linecap=\"round\"" : "");

@@ -39,7 +39,7 @@ final class PointerPainter {
     this.zone = zone;
   }
 
-  private record Line(String text, Color color) {}
+  record Line(String text, Color color) {}
 
   /** The values of the traces of an axis at a time; the words stand where the pointer is. */
   void values(GC gc, AxisFrame frame, long time, boolean words, int y) {
@@ -72,7 +72,7 @@ final class PointerPainter {
     return (long) Math.pow(10, Math.floor(Math.log10(Math.max(1, frame.time(1.0)))));
   }
 
-  private static String shortened(String label) {
+  static String shortened(String label) {
     return label.length() <= 32 ? label : "\u2026" + label.substring(label.length() - 31);
   }
 
@@ -91,7 +91,8 @@ final class PointerPainter {
     }
   }
 
-  private void pill(GC gc, Rectangle plot, int x, int y, List<Line> lines) {
+  /** Words on a ground, beside a place. */
+  void pill(GC gc, Rectangle plot, int x, int y, List<Line> lines) {
     gc.setFont(theme.font(Face.SMALL_FIGURES));
     int width = lines.stream().mapToInt(l -> gc.textExtent(l.text()).x).max().orElse(0) + 4 * Theme.STEP;
     int height = lines.size() * ROW + 2 * Theme.STEP;
@@ -158,6 +159,12 @@ final class PointerPainter {
       gc.fillPolygon(new int[]{x - FLAG, plot.y - 1, x + FLAG, plot.y - 1, x, plot.y + FLAG});
       gc.setAntialias(SWT.OFF);
     }
+    progress(gc, frame, replay);
+  }
+
+  /** How much of recordings has been read. */
+  void progress(GC gc, AxisFrame frame, Replay replay) {
+    Rectangle plot = frame.plot();
     replay.progress().ifPresent(progress -> {
       gc.setBackground(theme.color(Role.ACCENT));
       gc.fillRectangle(plot.x, plot.y + plot.height - 1, (int) Math.round(progress * plot.width), 2);

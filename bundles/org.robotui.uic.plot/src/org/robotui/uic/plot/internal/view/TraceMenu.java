@@ -5,22 +5,27 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import org.eclipse.swt.widgets.Control;
 import org.robotui.api.show.Subject;
 import org.robotui.ui.control.Clipboards;
+import org.robotui.ui.control.NameDialog;
 import org.robotui.ui.control.PopupMenu;
 import org.robotui.ui.show.SubjectMenu;
 import org.robotui.uic.plot.internal.model.LineStyle;
 import org.robotui.uic.plot.internal.model.PlotOptions;
 import org.robotui.uic.plot.internal.model.PlotScene;
+import org.robotui.uic.plot.internal.model.SignalNames;
 import org.robotui.uic.plot.internal.model.TraceRef;
 import org.robotui.uic.plot.internal.model.TraceSpec;
 import org.robotui.uic.plot.internal.model.TraceView;
 import org.robotui.uic.plot.internal.signal.Expr;
-import org.robotui.uic.plot.internal.signal.ExprParser;
 
 /** What can be done with a trace. Display thread. */
 final class TraceMenu {
+  private static final double[] LIMITS = {0.1, 0.5, 1, 5, 10};
+  private static final Pattern NAME = Pattern.compile("[A-Za-z_]\\w*");
   private static final double[] AVERAGES = {0.1, 0.5, 1, 5, 10};
 
   private final Edits edits;
@@ -41,23 +46,34 @@ final class TraceMenu {
     menu.push("Remove", () -> edits.axes(s -> s.without(ref)));
     menu.line();
     derive(menu.under("Derive"), scene, ref, spec.signal());
+    over(menu.under("Plot over"), scene, spec.signal());
     colours(menu.under("Colour"), ref, trace.colour());
     styles(menu.under("Line"), ref, spec.style());
     menu.check("Right scale", spec.right(), now -> change(ref, t -> t.withRight(!t.right())));
     move(menu.under("Move to"), scene, ref);
     menu.line();
     menu.push("Copy signal", () -> Clipboards.copy(spec.signal()));
-    fields(spec.signal()).forEach(
+    menu.push("Name the signal\u2026", !isName(scene, spec.signal()), () -> name(menu.widget().getShell(), scene, ref));
+    fields(scene, spec.signal()).forEach(
         field -> ports.fill(menu.under(field.toString()), new Subject.Stream(field.source(), List.of(field.path()))));
   }
 
   /** The fields that a signal is made of; none of one that cannot be read. */
-  private static List<Expr.Field> fields(String signal) {
+  private static List<Expr.Field> fields(PlotScene scene, String signal) {
     try {
-      return ExprParser.parse(signal).fields().distinct().toList();
+      return new SignalNames(scene.spec().names()).read(signal).fields().distinct().toList();
     } catch (IllegalArgumentException e) {
       return List.of();
     }
+  }
+
+  private static boolean isName(PlotScene scene, String word) {
+    return scene.spec().names().stream().anyMatch(named -> named.name().equals(word));
+  }
+
+  private void name(Control over, PlotScene scene, TraceRef ref) {
+    NameDialog.ask(over, "Name of the signal", "", word -> NAME.matcher(word.strip()).matches()
+        && !isName(scene, word.strip())).ifPresent(word -> edits.name(ref, word.strip()));
   }
 
   private void derive(PopupMenu menu, PlotScene scene, TraceRef ref, String signal) {
@@ -67,6 +83,12 @@ final class TraceMenu {
     for (double seconds : AVERAGES) {
       averages.push(seconds + " s", () -> add(ref, "average(" + signal + ", " + seconds + ")"));
     }
+    PopupMenu filters = menu.under("Low-pass");
+    for (double hertz : LIMITS) {
+      filters.push(hertz + " Hz", () -> add(ref, "lowpass(" + signal + ", " + hertz + ")"));
+    }
+    menu.push("Angle without jumps", () -> add(ref, "unwrap(" + signal + ")"));
+    menu.push("Calculate\u2026", () -> type.accept("(" + signal + ") * 1 + 0"));
     PopupMenu scale = menu.under("Scale");
     scale.push("Radians to degrees", () -> add(ref, "scale(" + signal + ", " + Math.toDegrees(1) + ")"));
     scale.push("Negate", () -> add(ref, "scale(" + signal + ", -1)"));
@@ -78,6 +100,13 @@ final class TraceMenu {
       menu.push("Norm of all on this axis",
           () -> add(ref, same.stream().map(t -> t.spec().signal()).collect(Collectors.joining(", ", "norm(", ")"))));
     }
+  }
+
+  /** On an axis of its own, or on the one that has that scale already. */
+  private void over(PopupMenu menu, PlotScene scene, String signal) {
+    scene.traces().filter(t -> !t.spec().signal().equals(signal))
+        .forEach(t -> menu.push(t.label(), () -> edits.curve(signal, t.spec().signal())));
+    menu.push("Another\u2026", () -> type.accept(signal + Edits.OVER));
   }
 
   private void others(PopupMenu menu, PlotScene scene, TraceRef ref, String signal) {

@@ -27,6 +27,8 @@ class PlotCodecTest {
         Optional.of(LineStyle.STEP), true, true);
     List<AxisSpec> axes = List.of(
         new AxisSpec(List.of(TraceSpec.of("a.b:c"), full), new YRange.Fixed(-1.5, 2), new YRange.Hold()),
+        new AxisSpec(List.of(TraceSpec.of("a.b:y")), new YRange.Auto(), new YRange.Auto(), Optional.of("a.b:x"),
+            new YRange.Fixed(-1, 1)),
         AxisSpec.EMPTY);
     settings.set(PlotOptions.AXES, PlotCodec.write(axes));
     assertEquals(axes, PlotCodec.read(settings.current()).axes());
@@ -90,6 +92,24 @@ class PlotCodecTest {
     assertTrue(faults.getFirst().startsWith("'a.b:' is no signal; write SOURCE:PATH"), faults.getFirst());
     assertEquals(List.of("'range' must be [low, high], the lower number first, not [3.0, 1.0]",
         "'range' must be [low, high], the lower number first, not [1.0]"), faults.subList(1, 3));
+  }
+
+  @Test
+  void namesMeanWhatStandsBeforeThem() {
+    settings.set(PlotOptions.SIGNALS, List.of(Map.of("name", "speed", "signal", "base./odom:linear.x", "unit", "m/s"),
+        Map.of("name", "fast", "signal", "speed * 3.6")));
+    settings.set(PlotOptions.AXES,
+        List.of(Map.of("x", "speed", "traces", List.of("derivative(fast)", "fast - speed"))));
+    assertEquals(List.of(), PlotCodec.faults(settings.current()));
+    PlotSpec spec = PlotCodec.read(settings.current());
+    assertEquals(settings.current().list(PlotOptions.SIGNALS).size(), PlotCodec.writeNames(spec.names()).size());
+    settings.set(PlotOptions.SIGNALS, List.of(Map.of("name", "fast", "signal", "speed * 3.6"),
+        Map.of("name", "speed", "signal", "fast"), Map.of("name", "fast", "signal", "a.b:c")));
+    List<String> faults = PlotCodec.faults(settings.current());
+    assertEquals("'fast': 'speed' is no signal; write SOURCE:PATH, for example base./odom:linear.x, or a function of it"
+        + " (column 1)", faults.getFirst());
+    assertTrue(faults.stream().anyMatch(f -> f.startsWith("the name 'fast' is given twice")), faults.toString());
+    assertTrue(faults.stream().anyMatch(f -> f.startsWith("x: 'speed' is no signal")), faults.toString());
   }
 
   private String signal(Map<String, Object> trace) {

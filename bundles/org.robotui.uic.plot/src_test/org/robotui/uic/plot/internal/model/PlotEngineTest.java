@@ -4,11 +4,14 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
+import java.io.StringWriter;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Collectors;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.robotui.api.port.InputState;
@@ -21,6 +24,7 @@ import org.robotui.testkit.FakeSettings;
 import org.robotui.uic.plot.internal.Robots;
 import org.robotui.uic.plot.internal.trace.Samples;
 import org.robotui.uic.plot.internal.trace.Series;
+import org.robotui.uic.plot.internal.trace.TimeSpan;
 
 class PlotEngineTest {
   private static final long SECOND = 1_000_000_000L;
@@ -83,6 +87,35 @@ class PlotEngineTest {
     drive(5, 3);
     tick();
     assertSamples(series(0), 5, 3);
+  }
+
+  @Test
+  void aSignalOverAnotherOneMeetsItAtItsOwnTimes() throws IOException {
+    settings.set(PlotOptions.AXES,
+        List.of(Map.of("x", "arm./joint_states:joints[0].position", "traces", List.of(X))));
+    tick();
+    assertEquals(Set.of(Robots.ODOM, Robots.JOINTS), input.chosen());
+    input.put(Robots.JOINTS, Robots.joints(0), 0, stamp(1));
+    drive(1, 10);
+    drive(1.5, 20);
+    input.put(Robots.JOINTS, Robots.joints(0.2), 0, stamp(2));
+    drive(2, 30);
+    tick();
+    assertSamples(series(0), 1, 10, 1.5, 20, 2, 30);
+    assertSamples(trace(0).over().orElseThrow().curve().x(), 1, 0, 1.5, Math.sin(0.2) / 2, 2, Math.sin(0.2));
+    assertEquals("joints[0].position", trace(0).over().orElseThrow().label());
+    StringWriter csv = new StringWriter();
+    new CsvExport(CsvExport.Column.of(trace(0)).toList(), new TimeSpan(0, 9 * SECOND)).write(csv);
+    assertEquals("time [s],arm./joint_states:joints[0].position,base./odom:linear.x [m/s]\n1.000000000,0,10\n",
+        csv.toString().lines().limit(2).map(line -> line + "\n").collect(Collectors.joining()));
+  }
+
+  @Test
+  void whatIsWrongWithTheSignalAcrossIsSaidOfEachTrace() {
+    settings.set(PlotOptions.AXES, List.of(Map.of("x", "sine(a.b:c)", "traces", List.of(X))));
+    tick();
+    assertTrue(trace(0).problem().orElseThrow().startsWith("x: there is no function 'sine'"),
+        trace(0).problem().toString());
   }
 
   @Test

@@ -10,9 +10,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.robotui.api.port.Envelope;
+import org.robotui.api.port.NumberField;
 import org.robotui.data.Data;
 import org.robotui.data.record.DataRecord;
 import org.robotui.data.record.DynamicRecord;
+import org.robotui.data.record.FieldPath;
+import org.robotui.data.record.FieldUnits;
 import org.robotui.data.record.FieldValue;
 import org.robotui.uic.plot.internal.Robots;
 import org.robotui.uic.plot.internal.signal.ExprParser;
@@ -26,6 +29,9 @@ class WordsTest {
       "scale(a.b:x, 2, -1) ; x \u00b7 2 \u2212 1",
       "scale(integral(a.b:x), 1, 3) ; (\u222b x) + 3",
       "norm(a.b:x, a.b:y) ; |x, y|",
+      "2 * a.b:x + 1 ; 2 \u00b7 x + 1",
+      "(a.b:x - a.b:y) / derivative(a.b:z) ; (x \u2212 y) / (d/dt z)",
+      "deg(yaw(a.b:pose.rotation)) ; deg (yaw pose.rotation)",
   })
   void signalsHaveShortNames(String signal, String label) {
     assertEquals(label, Labels.of(ExprParser.parse(signal)));
@@ -44,27 +50,32 @@ class WordsTest {
       "'scale(a.b:linear.x, 2)', ''",
       "'average(a.b:linear.x, 1)', m/s",
       "a.b:twistCovariance[3], ''",
+      "a.b:linear.x - a.b:linear.y + 1, m/s",
+      "a.b:linear.x * a.b:linear.y, ''",
+      "yaw(a.b:pose.rotation), rad",
+      "deg(derivative(yaw(a.b:pose.rotation))), \u00b0/s",
+      "'lowpass(abs(a.b:linear.x), 2)', m/s",
   })
   void unitsFollowWhatIsComputed(String signal, String unit) {
-    assertEquals(unit, Units.of(ExprParser.parse(signal), f -> Units.of("Odometry", f.path())));
+    assertEquals(unit, Units.of(ExprParser.parse(signal), f -> FieldUnits.of("Odometry", f.path())));
   }
 
   @Test
   void unitsOfTheRobotsOwnMessages() {
-    assertEquals("m/s", Units.of("nav_msgs/Odometry", "twist.twist.linear.x"));
-    assertEquals("m", Units.of("nav_msgs/Odometry", "pose.pose.position.y"));
-    assertEquals("m/s\u00b2", Units.of("sensor_msgs/Imu", "linear_acceleration.z"));
-    assertEquals("m", Units.of("sensor_msgs/LaserScan", "ranges[17]"));
-    assertEquals("rad", Units.of("GpsFix", "latitude"));
+    assertEquals("m/s", FieldUnits.of("nav_msgs/Odometry", "twist.twist.linear.x"));
+    assertEquals("m", FieldUnits.of("nav_msgs/Odometry", "pose.pose.position.y"));
+    assertEquals("m/s\u00b2", FieldUnits.of("sensor_msgs/Imu", "linear_acceleration.z"));
+    assertEquals("m", FieldUnits.of("sensor_msgs/LaserScan", "ranges[17]"));
+    assertEquals("rad", FieldUnits.of("GpsFix", "latitude"));
   }
 
   @Test
   void theNamesOfOurRecordsComeBeforeThoseOfTheRobot() {
     DynamicRecord own = new Own();
-    assertEquals(new FieldReader.Number(1, "Odometry"),
-        new FieldReader("linear.x").read(DataRecord.of(Robots.odometry(1, 2)), () -> own));
-    assertEquals(new FieldReader.Number(1, "test/Own"),
-        new FieldReader("moving").read(DataRecord.of(Robots.odometry(1, 2)), () -> own));
+    assertEquals(new NumberField.Number(1, "Odometry"),
+        new NumberField(FieldPath.parse("linear.x")).read(DataRecord.of(Robots.odometry(1, 2)), () -> own));
+    assertEquals(new NumberField.Number(1, "test/Own"),
+        new NumberField(FieldPath.parse("moving")).read(DataRecord.of(Robots.odometry(1, 2)), () -> own));
   }
 
   @ParameterizedTest
@@ -76,8 +87,9 @@ class WordsTest {
       "twistCovariance[3] | has no field 'twistCovariance[3]'; twistCovariance has 0 elements",
   })
   void whyThereIsNoNumberIsSaid(String path, String reason) {
-    FieldReader.Found found = new FieldReader(path).read(DataRecord.of(Robots.odometry(1, 2)), Own::new);
-    String said = assertInstanceOf(FieldReader.Missing.class, found).reason();
+    NumberField.Found found =
+        new NumberField(FieldPath.parse(path)).read(DataRecord.of(Robots.odometry(1, 2)), Own::new);
+    String said = assertInstanceOf(NumberField.Missing.class, found).reason();
     assertTrue(said.contains(reason), said);
   }
 

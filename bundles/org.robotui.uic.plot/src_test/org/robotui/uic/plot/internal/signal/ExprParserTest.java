@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -22,7 +23,17 @@ class ExprParserTest {
       "scale(base./odom:x, 57.29577951308232)",
       "scale(base./odom:x, -2, 1.0E-7)",
       "difference(base./odom:x, scale(sim.odom:x, 2))",
-      "norm(base./imu:a.x, base./imu:a.y, base./imu:a.z)"
+      "norm(base./imu:a.x, base./imu:a.y, base./imu:a.z)",
+      "base./a/b-c:x - base./odom:x",
+      "2 * base./odom:x + 1",
+      "(base./odom:x + 1) / (base./odom:y - base./odom:z)",
+      "-(base./odom:x * base./odom:y)",
+      "base./odom:x - (base./odom:y - base./odom:z) - 3",
+      "base./odom:x / (base./odom:y * base./odom:z) * 3",
+      "atan2(base./odom:y, -base./odom:x)",
+      "max(base./odom:x, 0)",
+      "deg(unwrap(yaw(base./odom:pose.rotation)))",
+      "lowpass(sqrt(base./odom:x), 0.5)"
   })
   void whatIsReadIsWrittenAgain(String text) {
     assertEquals(text, ExprParser.parse(text).toString());
@@ -66,10 +77,29 @@ class ExprParserTest {
       "derivative(a.b:c | is not closed",
       "derivative(a.b:c) x | left over",
       "derivative() | is no signal",
+      "2 + 3 | has no field",
+      "base.odom:x*2 | write blanks around + - * /",
+      "2 * (base.odom:x + 1 | ')' is missing at the end (column 21)",
+      "base.odom:x + | '' is no signal",
+      "base.odom:x + sine(a.b:c) | there is no function 'sine'; there are derivative, integral",
+      "yaw(2 * a.b:c) | an orientation, a field with x, y, z and w",
+      "lowpass(a.b:c) | the limit in hertz",
+      "lowpass(a.b:c, 0) | more than 0",
+      "max(a.b:c) | two signals, or a signal and a number",
+      "abs(a.b:c, 2) | takes one signal",
+      "speed * 2 | 'speed' is no signal",
   })
   void whatIsWrongIsSaid(String text, String message) {
     String said = assertThrows(IllegalArgumentException.class, () -> ExprParser.parse(text)).getMessage();
     assertTrue(said.contains(message), said);
+  }
+
+  @Test
+  void aNameStandsForItsSignalAndStaysInTheText() {
+    Expr speed = new Expr.Named("speed", Optional.of("m/s"), ExprParser.parse("base.odom:x"));
+    Expr read = ExprParser.parse("derivative(2 * speed)", name -> Optional.of(speed).filter(s -> name.equals("speed")));
+    assertEquals("derivative(2 * speed)", read.toString());
+    assertEquals(List.of("x"), read.fields().map(Expr.Field::path).toList());
   }
 
   @Test

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.robotui.geometry.Quaternion;
 import org.robotui.uic.plot.internal.trace.Sample;
 
 class PipelineTest {
@@ -151,12 +152,71 @@ class PipelineTest {
   }
 
   @Test
+  void formulasCalculateWithNumbersAndWithSeveralSignals() {
+    feed(single("2 * a.b:c - 1"), 0, 3, 1, -1);
+    assertSamples(0, 5, 1, -3);
+    out.clear();
+    Pipeline pipeline = of("(a.b:x - d.e:y) / 2");
+    feed(pipeline.inputs().get(1).sink(), 0, 0, 2, 4);
+    feed(pipeline.inputs().get(0).sink(), 0, 10, 1, 10, 2, 10);
+    assertSamples(0, 5, 1, 4, 2, 3);
+  }
+
+  @Test
+  void anOrientationHasAnglesAndOneThatIsNoneHasNot() {
+    Quaternion turned = Quaternion.fromRollPitchYaw(0.1, -0.2, 3);
+    for (String angle : List.of("roll", "pitch", "yaw")) {
+      out.clear();
+      Pipeline pipeline = of(angle + "(a.b:rotation)");
+      double[] parts = {turned.x(), turned.y(), turned.z(), turned.w()};
+      for (int i = 0; i < parts.length; i++) {
+        feed(pipeline.inputs().get(i).sink(), 0, 2 * parts[i], 1, 0);
+      }
+      assertEquals(switch (angle) {
+        case "roll" -> 0.1;
+        case "pitch" -> -0.2;
+        default -> 3.0;
+      }, out.getFirst().value(), 1e-9);
+      assertTrue(Double.isNaN(out.get(1).value()), "all 0");
+    }
+  }
+
+  @Test
+  void anUnwrappedAngleGoesOnOverAWholeTurn() {
+    feed(single("unwrap(a.b:c)"), 0, 3, 1, -3, 2, -2.9, 3, 3);
+    assertSamples(0, 3, 1, 2 * Math.PI - 3, 2, 2 * Math.PI - 2.9, 3, 3);
+  }
+
+  @Test
+  void aLowPassReachesAStepByItsTimeConstantWhateverTheDistancesOfSamples() {
+    double hertz = 1 / (2 * Math.PI);
+    feed(single("lowpass(a.b:c, " + hertz + ")"), 0, 0, 0.4, 1, 1, 1, 5, NAN, 6, 7);
+    assertEquals(1 - Math.exp(-1), out.get(2).value(), 1e-9);
+    assertTrue(Double.isNaN(out.get(3).value()), "a break");
+    assertEquals(7, out.get(4).value());
+  }
+
+  @Test
   void theNormOfSeveral() {
     Pipeline pipeline = of("norm(a.b:x, a.b:y, a.b:z)");
     feed(pipeline.inputs().get(0).sink(), 0, 2);
     feed(pipeline.inputs().get(1).sink(), 0, 3);
     feed(pipeline.inputs().get(2).sink(), 0, 6);
     assertSamples(0, 7);
+  }
+
+  @Test
+  void ofManyPairsThoseFarthestOutAreKept() {
+    List<String> kept = new ArrayList<>();
+    ThinningPairs thinning = new ThinningPairs(100, (time, x, y) -> kept.add(time + ": " + x + ", " + y));
+    for (int i = 0; i < 150; i++) {
+      thinning.accept(i, i == 7 ? 9 : 0, i == 50 ? -3 : i == 120 ? 4 : 0);
+    }
+    thinning.accept(150, NAN, 0);
+    thinning.accept(151, 1, 1);
+    thinning.flush();
+    assertEquals(List.of("0: 0.0, 0.0", "7: 9.0, 0.0", "50: 0.0, -3.0", "100: 0.0, 0.0", "120: 0.0, 4.0",
+        "150: NaN, 0.0", "151: 1.0, 1.0"), kept);
   }
 
   @Test

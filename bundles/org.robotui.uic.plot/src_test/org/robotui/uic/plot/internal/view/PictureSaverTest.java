@@ -36,11 +36,13 @@ import org.robotui.testkit.TestDisplay;
 import org.robotui.ui.Theme;
 import org.robotui.ui.Themes;
 import org.robotui.uic.plot.internal.model.AxisSpec;
+import org.robotui.uic.plot.internal.model.CurveView;
 import org.robotui.uic.plot.internal.model.LineStyle;
 import org.robotui.uic.plot.internal.model.PlotScene;
 import org.robotui.uic.plot.internal.model.PlotSpec;
 import org.robotui.uic.plot.internal.model.TraceSpec;
 import org.robotui.uic.plot.internal.model.TraceView;
+import org.robotui.uic.plot.internal.trace.Curve;
 import org.robotui.uic.plot.internal.trace.Series;
 import org.robotui.uic.plot.internal.trace.TimeSpan;
 import org.w3c.dom.Document;
@@ -97,9 +99,36 @@ class PictureSaverTest {
   }
 
   @Test
+  void asSvgACurveHasFiguresBelowItAndScalesThatAreEqual() throws Exception {
+    Document svg = svg(circle());
+    assertEquals(1, attributes(svg, "path", "d").size());
+    assertTrue(texts(svg).contains("pose.translation.x [m]"), () -> texts(svg).toString());
+    AxisFrame frame = painter.frames().getFirst();
+    Curve.Fineness fineness = frame.fineness(false);
+    assertEquals(fineness.x(), fineness.y(), 1e-9);
+    Point right = new Point(Math.round(frame.across(1)), Math.round(frame.y(0, false)));
+    assertEquals(Optional.of(0L), painter.timeAt(frame, right).map(t -> t / TimeSpan.SECOND));
+    assertEquals(Optional.empty(), painter.timeAt(frame, new Point(Math.round(frame.across(0)), right.y)));
+  }
+
+  private static PlotScene circle() {
+    Curve curve = new Curve(SAMPLES);
+    for (int i = 0; i < SAMPLES; i++) {
+      curve.add(i * TimeSpan.SECOND / 10, Math.cos(i * 0.02), Math.sin(i * 0.02));
+    }
+    TraceSpec spec = TraceSpec.of("base.odom:pose.translation.y");
+    TraceView trace = new TraceView(spec, 0, NAME, "base", "m", Optional.of(curve.y()), new InputState.Live(10, 0),
+        Optional.empty(), List.of(), 0, Optional.empty(),
+        Optional.of(new CurveView(curve, "base.odom:pose.translation.x", "pose.translation.x", "m")));
+    AxisSpec axis = AxisSpec.EMPTY.with(List.of(spec)).over(Optional.of("base.odom:pose.translation.x"));
+    return new PlotScene(
+        new PlotSpec(List.of(axis), 0, true, true, LineStyle.LINE, PlotSpec.LegendPlace.SIDE), List.of(List.of(trace)),
+        (SAMPLES - 1) * TimeSpan.SECOND / 10);
+  }
+
+  @Test
   void asSvgNamesUnitsAndFiguresAreText() throws Exception {
-    NodeList texts = svg(scene(LineStyle.LINE)).getElementsByTagName("text");
-    List<String> words = IntStream.range(0, texts.getLength()).mapToObj(i -> texts.item(i).getTextContent()).toList();
+    List<String> words = texts(svg(scene(LineStyle.LINE)));
     assertTrue(words.contains(NAME) && words.contains("m/s") && words.contains("0.5"), words::toString);
   }
 
@@ -124,6 +153,11 @@ class PictureSaverTest {
     paint(scene);
     save(scene, "no/such/folder.svg");
     assertFalse(exporter.notice(System.nanoTime()).orElseThrow().good());
+  }
+
+  private static List<String> texts(Document svg) {
+    NodeList texts = svg.getElementsByTagName("text");
+    return IntStream.range(0, texts.getLength()).mapToObj(i -> texts.item(i).getTextContent()).toList();
   }
 
   private Document svg(PlotScene scene) throws Exception {

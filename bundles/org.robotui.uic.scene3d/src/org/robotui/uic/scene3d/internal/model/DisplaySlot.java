@@ -1,15 +1,19 @@
 package org.robotui.uic.scene3d.internal.model;
 
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.robotui.api.port.Envelope;
 import org.robotui.api.port.Input;
 import org.robotui.api.port.InputState;
+import org.robotui.api.port.SourceId;
 import org.robotui.data.Data;
 import org.robotui.data.FrameId;
 import org.robotui.data.Framed;
 import org.robotui.data.joint.RobotDescription;
+import org.robotui.gl.display.ColorScale;
 import org.robotui.gl.display.Display;
 import org.robotui.gl.display.DisplayContext;
 import org.robotui.gl.display.DisplayResult;
@@ -41,6 +45,7 @@ final class DisplaySlot {
   private Optional<String> fault = Optional.empty();
   private Optional<KindSettings> settings = Optional.empty();
   private SourceChoice choice = SourceChoice.NONE;
+  private Set<SourceId> also = Set.of();
   private DisplayResult result = NOTHING;
   private InputState state = new InputState.Live(0, 0);
   private Optional<String> robot = Optional.empty();
@@ -57,6 +62,18 @@ final class DisplaySlot {
 
   SourceChoice choice() {
     return choice;
+  }
+
+  /** All streams that it takes. */
+  Set<SourceId> taken() {
+    Set<SourceId> all = new HashSet<>(choice.sources());
+    all.addAll(also);
+    return all;
+  }
+
+  /** What its colours mean. */
+  Optional<ColorScale> colors() {
+    return result.parts().isEmpty() ? Optional.empty() : running.flatMap(r -> r.display().colors());
   }
 
   DisplayResult result() {
@@ -82,6 +99,7 @@ final class DisplaySlot {
     spec = next;
     type = kind;
     choice = kind.map(k -> SourceChoice.of(next, Kinds.of(k), offered)).orElse(SourceChoice.NONE);
+    also = kind.map(k -> k.also(settings.orElseThrow().settings())).orElse(Set.of());
     choices = kind
         .map(k -> k.accepts().stream().flatMap(a -> SourceChoice.fitting(a, offered).stream()).map(SourceName::of)
             .distinct().toList())
@@ -98,7 +116,7 @@ final class DisplaySlot {
 
   void take(Envelope<Data> envelope) {
     arrived.add(envelope);
-    if (robot.isEmpty()) {
+    if (robot.isEmpty() && choice.sources().contains(envelope.source())) {
       robot = robotOf(envelope.value());
     }
   }

@@ -167,7 +167,7 @@ public final class SceneModel {
       slots.put(spec.id(), slot);
     }
     before.values().forEach(DisplaySlot::end);
-    choose(slots.values().stream().filter(DisplaySlot::wanted).flatMap(s -> s.choice().sources().stream())
+    choose(slots.values().stream().filter(DisplaySlot::wanted).flatMap(s -> s.taken().stream())
         .collect(Collectors.toSet()));
   }
 
@@ -183,7 +183,7 @@ public final class SceneModel {
       if (envelope.value() instanceof Framed framed) {
         framed.frames().limit(MOST_FRAMES).filter(f -> named.size() < MOST_FRAMES).forEach(named::add);
       }
-      slots.values().stream().filter(s -> s.wanted() && s.choice().sources().contains(envelope.source()))
+      slots.values().stream().filter(s -> s.wanted() && s.taken().contains(envelope.source()))
           .forEach(s -> s.take(envelope));
     });
   }
@@ -227,9 +227,9 @@ public final class SceneModel {
     long dropped = input.dropped() + rows.stream().mapToLong(DisplayRow::dropped).sum();
     Stage before = stage;
     stage = new Stage(other ? before.version() + 1 : before.version(), parts, List.copyOf(rows), fixed, frames, robots,
-        dropped);
+        dropped, slots.values().stream().flatMap(slot -> slot.colors().stream()).toList());
     return other || !rows.equals(before.rows()) || !fixed.equals(before.fixed()) || !robots.equals(before.robots())
-        || dropped != before.dropped();
+        || dropped != before.dropped() || !stage.colors().equals(before.colors());
   }
 
   /** Frames are also written robot/frame. */

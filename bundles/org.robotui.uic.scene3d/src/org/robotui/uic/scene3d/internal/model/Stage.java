@@ -8,6 +8,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.robotui.data.FrameId;
 import org.robotui.geometry.RigidTransform;
+import org.robotui.gl.display.ColorScale;
 import org.robotui.gl.shape.Box3;
 import org.robotui.gl.shape.Part;
 import org.robotui.gl.shape.Rgba;
@@ -23,12 +24,19 @@ import org.robotui.ui.display.DisplayRow;
  * @param frames all that could be chosen instead
  * @param robots where they are, in the order in which they were seen
  * @param dropped values lost to full queues, or not shown
+ * @param colors what colours mean, of the first display first
  */
 public record Stage(long version, Map<Object, List<Part>> parts, List<DisplayRow> rows, Optional<FrameId> fixed,
     List<FrameId> frames,
-    List<Robot> robots, long dropped) {
+    List<Robot> robots, long dropped, List<ColorScale> colors) {
   /** Before the first tick. */
   public static final Stage NONE = new Stage(0, Map.of(), List.of(), Optional.empty(), List.of(), List.of(), 0);
+
+  /** Without colours that mean numbers. */
+  public Stage(long version, Map<Object, List<Part>> parts, List<DisplayRow> rows, Optional<FrameId> fixed,
+      List<FrameId> frames, List<Robot> robots, long dropped) {
+    this(version, parts, rows, fixed, frames, robots, dropped, List.of());
+  }
 
   /**
    * A robot in the scene.

@@ -94,6 +94,7 @@ final class SceneCanvas {
         new SceneOverlay.Scene(parts.model().stage(), lens, shot, SceneOverlay.rate(parts.studio()),
             surface.treeSeen()));
     Optional<Selection> selection = parts.picks().selection();
+    overlay.colors(gc, selection.isPresent() ? SceneOverlay.besideCard(area) : area, parts.model().stage());
     marks.paint(gc, selection.isPresent() ? SceneOverlay.besideCard(area) : area, lens, surface.tools());
     selection.ifPresent(s -> overlay.card(gc, area, s));
   }

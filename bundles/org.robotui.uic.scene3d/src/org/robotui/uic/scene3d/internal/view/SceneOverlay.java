@@ -14,6 +14,8 @@ import org.robotui.geometry.Vector3;
 import org.robotui.gl.render.Rendered;
 import org.robotui.gl.shape.Properties;
 import org.robotui.gl.shape.Rgba;
+import org.robotui.ui.ColorBar;
+import org.robotui.ui.ColorBars;
 import org.robotui.ui.Face;
 import org.robotui.ui.Figures;
 import org.robotui.ui.Health;
@@ -41,6 +43,7 @@ final class SceneOverlay {
 
   private final Theme theme;
   private final StateView states;
+  private final ColorBars bars;
 
   /** What is painted over. */
   record Scene(Stage stage, Lens lens, Shot shot, String rate, boolean treeOpen) {}
@@ -48,6 +51,7 @@ final class SceneOverlay {
   SceneOverlay(Theme theme, StateView states) {
     this.theme = theme;
     this.states = states;
+    this.bars = new ColorBars(theme);
   }
 
   void paint(GC gc, Rectangle area, Scene scene) {
@@ -55,6 +59,12 @@ final class SceneOverlay {
     gizmo(gc, area, scene.lens().pose().rotation());
     corner(gc, area, scene);
     notes(gc, area, scene);
+  }
+
+  /** What colours mean, where there is room for it. */
+  void colors(GC gc, Rectangle area, Stage stage) {
+    bars.paint(gc, area, stage.colors().stream()
+        .map(c -> new ColorBar(c.title(), c.unit(), c.low(), c.high(), c::shade)).toList());
   }
 
   /** The selection with its properties, at the upper right. */

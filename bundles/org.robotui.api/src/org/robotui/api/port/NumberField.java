@@ -1,4 +1,4 @@
-package org.robotui.uic.plot.internal.model;
+package org.robotui.api.port;
 
 import java.util.List;
 import java.util.Optional;
@@ -9,27 +9,47 @@ import org.robotui.data.record.DynamicRecord;
 import org.robotui.data.record.FieldPath;
 import org.robotui.data.record.FieldValue;
 
-/** Reads a number at a path. */
-public final class FieldReader {
+/** Reads a number at a path of records, and says what is there instead where there is none. Safe for all threads. */
+public final class NumberField {
   private static final double NANO = 1e-9;
   private static final int MOST_NAMED = 12;
 
   private final FieldPath path;
 
-  public FieldReader(String path) {
-    this.path = FieldPath.parse(path);
+  /**
+   * For a path.
+   *
+   * @param path of a field
+   */
+  public NumberField(FieldPath path) {
+    this.path = path;
   }
 
   /** What was found. */
   public sealed interface Found {}
 
-  /** A number, in a record of that schema. */
+  /**
+   * A number.
+   *
+   * @param value truth values are 0 and 1, times seconds
+   * @param schema what the record is called in which it was found
+   */
   public record Number(double value, String schema) implements Found {}
 
-  /** Nothing, for a reason. */
+  /**
+   * Nothing.
+   *
+   * @param reason what is missing, and what there is instead
+   */
   public record Missing(String reason) implements Found {}
 
-  /** Looks in the data record first, then in the record in the robot's own names, which is asked for only then. */
+  /**
+   * Looks in the data record first, then in the record in the robot's own names.
+   *
+   * @param data by the names of data records
+   * @param own by the robot's own names; asked for only where the data record has no such field
+   * @return the number, or why there is none
+   */
   public Found read(DynamicRecord data, Supplier<DynamicRecord> own) {
     OptionalDouble number = data.number(path);
     if (number.isPresent()) {
@@ -43,7 +63,12 @@ public final class FieldReader {
     return robots.at(path).map(v -> number(v, robots.schema())).orElseGet(() -> new Missing(reason(data, robots)));
   }
 
-  /** The number that a value means, if any. */
+  /**
+   * The number that a value means.
+   *
+   * @param value of a field
+   * @return 0 and 1 for truth values, seconds for times; none for texts, lists and groups
+   */
   public static Optional<Double> number(FieldValue value) {
     return switch (value) {
       case FieldValue.Num n -> Optional.of(n.value());
