@@ -8,16 +8,19 @@ import java.util.stream.Collectors;
 import org.robotui.data.record.DynamicRecord;
 import org.robotui.data.record.FieldPath;
 import org.robotui.data.record.FieldValue;
+import org.robotui.data.record.NumberPath;
 
-/** Reads a number at a path. */
+/** Reads a number at a path. One thread. */
 public final class FieldReader {
   private static final double NANO = 1e-9;
   private static final int MOST_NAMED = 12;
 
   private final FieldPath path;
+  private final NumberPath numberPath;
 
   public FieldReader(String path) {
     this.path = FieldPath.parse(path);
+    this.numberPath = new NumberPath(this.path);
   }
 
   /** What was found. */
@@ -31,7 +34,7 @@ public final class FieldReader {
 
   /** Looks in the data record first, then in the record in the robot's own names, which is asked for only then. */
   public Found read(DynamicRecord data, Supplier<DynamicRecord> own) {
-    OptionalDouble number = data.number(path);
+    OptionalDouble number = numberPath.in(data);
     if (number.isPresent()) {
       return new Number(number.getAsDouble(), data.schema());
     }
