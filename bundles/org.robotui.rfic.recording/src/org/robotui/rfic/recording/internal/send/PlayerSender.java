@@ -22,7 +22,7 @@ final class PlayerSender implements FrameworkSender {
   private static final String SENDER = "callerid";
   private static final int PORT = 6665;
   private static final int LAST_PORT = 0xffff;
-  private static final double NANO = 1e-9;
+  private static final double NANOS = 1e9;
   private static final Duration PATIENCE = Duration.ofSeconds(2);
 
   private final Map<Integer, ReplayedRobot> byChannel = new HashMap<>();
@@ -42,7 +42,7 @@ final class PlayerSender implements FrameworkSender {
         .add(each));
     int port = port(variables);
     PlayerSender sender = new PlayerSender(host(variables));
-    sender.seconds = recording.span().map(span -> span.start() * NANO).orElse(0.0);
+    sender.seconds = recording.span().map(span -> span.start() / NANOS).orElse(0.0);
     try {
       for (List<RecordedChannel> each : robots.values()) {
         sender.serve(recording, each, threads, port == 0 ? 0 : port + sender.robots.size());
@@ -103,7 +103,7 @@ final class PlayerSender implements FrameworkSender {
   /** Player has no message for that, but answers have it as their stamp. */
   @Override
   public void clock(long nanos) {
-    seconds = nanos * NANO;
+    seconds = nanos / NANOS;
   }
 
   @Override

@@ -35,7 +35,7 @@ import org.robotui.rfic.recording.internal.lines.PlayerDeviceLines;
 final class ReplayedRobot implements AutoCloseable {
   private static final Pattern DEVICE = Pattern.compile("/?(\\w+):(\\d{1,9})");
   private static final String DRIVER = "robotui";
-  private static final double NANO = 1e-9;
+  private static final double NANOS = 1e9;
 
   /** What a channel is of. */
   private record Kind(Device device, boolean isAnswer, int subtype) {}
@@ -116,7 +116,7 @@ final class ReplayedRobot implements AutoCloseable {
     if (kind.isAnswer()) {
       kind.device().answers().put(kind.subtype(), data);
     } else {
-      kind.device().served().publish(kind.subtype(), data, message.publishTime() * NANO);
+      kind.device().served().publish(kind.subtype(), data, message.publishTime() / NANOS);
     }
   }
 
