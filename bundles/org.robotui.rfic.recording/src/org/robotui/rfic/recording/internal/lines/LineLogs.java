@@ -56,7 +56,8 @@ public final class LineLogs {
    * @throws RecordingException if it cannot be read
    */
   public static RecordingReader openToSend(Path file, ScanProgress progress) throws RecordingException {
-    return PlayerLines.isHead(head(file).lines()) ? open(file, progress, new PlayerDeviceLines()) : open(file, progress);
+    return PlayerLines.isHead(head(file).lines()) ? open(file, progress, new PlayerDeviceLines())
+        : open(file, progress);
   }
 
   private static RecordingReader open(Path file, ScanProgress progress, LineFormat format) throws RecordingException {
