@@ -1,5 +1,7 @@
 """What ./robotui log play sends, as the stock recorders of ROS 1 and LCM have it: every message, byte for byte."""
 import collections
+import json
+import pathlib
 import shutil
 import signal
 import subprocess
@@ -9,6 +11,7 @@ import pytest
 
 from conftest import ROOT, SHARED, busy, end, free_port, tell, wait_for
 
+PEERS = pathlib.Path(__file__).parent / "peers"
 # Reads bags by the stock library, which this Python need not have.
 MESSAGES = """
 import collections, hashlib, rosbag, sys
@@ -124,6 +127,23 @@ def test_the_stock_logger_of_lcm_gets_what_was_recorded(processes, environment, 
     rest = iter(sent)
     assert all(event in rest for event in logged), "what came is what was recorded, in its order"
     assert len(logged) > len(sent) / 2
+
+
+def test_an_independent_client_of_player_hears_what_a_log_has(processes, environment):
+    log = SHARED / "captures" / "player" / "stage.log"
+    if not log.exists():
+        pytest.skip("the shared captures are not here")
+    port = free_port()
+    playing = processes.start([ROOT / "robotui", "log", "play", str(log), "--wait-for-subscribers", "--rate", "4"], "play",
+                              environment | {"PLAYER_PORT": str(port)})
+    wait_for(lambda: f"Player server at 127.0.0.1:{port} with laser:0, position2d:0" in playing.out.read_text(), 60, "the server")
+    client = processes.start(["/usr/bin/python3", str(PEERS / "player_client.py"), "127.0.0.1", str(port)], "client", environment)
+    wait_for(lambda: client.poll() is not None, 60, "the end of the server")
+    heard = [json.loads(line) for line in client.out.read_text().splitlines()]
+    lines = [line.split() for line in log.read_text().splitlines() if not line.startswith("#")]
+    said = [line for line in lines if line[5] == "001"]         # data, not answers
+    assert [(each["topic"], each["stamp"]) for each in heard] == [({"position2d": "odom", "laser": "scan"}[line[3]], float(line[0])) for line in said]
+    assert [each["x"] for each in heard if each["topic"] == "odom"] == [float(line[7]) for line in said if line[3] == "position2d"]
 
 
 def events(data):

@@ -65,6 +65,16 @@ public final class KeptTimeline implements Timeline {
   }
 
   @Override
+  public void advance(long time) {
+    seek(time);
+  }
+
+  @Override
+  public boolean isThere() {
+    return true;
+  }
+
+  @Override
   public void shift(TrackId track, long offset) {
     throw new UnsupportedOperationException();
   }

@@ -66,6 +66,15 @@ public interface Ruic extends RuicView {
   Optional<SettingsStore> settings(String id);
 
   /**
+   * How many ticks one of its views has done since it was started. What its sources gave before a tick begins is what
+   * the view shows after it.
+   *
+   * @param id of the view
+   * @return a number that only rises while the view runs; 0 where it does not
+   */
+  long ticks(String id);
+
+  /**
    * What users call a view.
    *
    * @param id of the view

@@ -8,13 +8,15 @@ import java.util.stream.Collectors;
 import org.robotui.data.record.DynamicRecord;
 import org.robotui.data.record.FieldPath;
 import org.robotui.data.record.FieldValue;
+import org.robotui.data.record.NumberPath;
 
-/** Reads a number at a path of records, and says what is there instead where there is none. Safe for all threads. */
+/** Reads a number at a path of records, and says what is there instead where there is none. For one thread. */
 public final class NumberField {
   private static final double NANO = 1e-9;
   private static final int MOST_NAMED = 12;
 
   private final FieldPath path;
+  private final NumberPath numberPath;
 
   /**
    * For a path.
@@ -23,6 +25,7 @@ public final class NumberField {
    */
   public NumberField(FieldPath path) {
     this.path = path;
+    numberPath = new NumberPath(path);
   }
 
   /** What was found. */
@@ -51,7 +54,7 @@ public final class NumberField {
    * @return the number, or why there is none
    */
   public Found read(DynamicRecord data, Supplier<DynamicRecord> own) {
-    OptionalDouble number = data.number(path);
+    OptionalDouble number = numberPath.in(data);
     if (number.isPresent()) {
       return new Number(number.getAsDouble(), data.schema());
     }

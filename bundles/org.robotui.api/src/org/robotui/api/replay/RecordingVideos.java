@@ -19,4 +19,16 @@ public interface RecordingVideos {
    * @throws IllegalArgumentException where the recording is not open any more, or the topic is no camera
    */
   long write(TrackId track, String topic, Path video) throws IOException, InterruptedException;
+
+  /**
+   * Begins a video of any pictures.
+   *
+   * @param video the file, which must not be there yet; its ending says what kind of video
+   * @param width of its pictures, pixels
+   * @param height of its pictures, pixels
+   * @param rate pictures a second
+   * @return takes the pictures; to be closed
+   * @throws IOException where the file is there, or what writes videos is not installed; with a sentence for users
+   */
+  PictureVideo begin(Path video, int width, int height, double rate) throws IOException;
 }

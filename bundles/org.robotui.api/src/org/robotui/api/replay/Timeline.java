@@ -45,6 +45,22 @@ public interface Timeline {
   void seek(long time);
 
   /**
+   * Pauses, and goes on to a later time as playing does: all that lies before it is delivered, and nothing jumps. Goes
+   * to an earlier one as {@link #seek} does.
+   *
+   * @param time nanoseconds since 1970; the nearest time of the span is taken
+   */
+  void advance(long time);
+
+  /**
+   * Whether it stands where it was wanted last, and all that holds there was given to the views.
+   *
+   * @return false while it is being moved, or while values before the position are still read; true where no recording
+   * is open
+   */
+  boolean isThere();
+
+  /**
    * Pauses, and goes to the next or to the former message.
    *
    * @param forward whether to the next

@@ -3,25 +3,13 @@ package org.robotui.data.record;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import org.robotui.data.Data;
-import org.robotui.data.FrameId;
-import org.robotui.data.Stamp;
-import org.robotui.data.array.Doubles;
-import org.robotui.data.array.Floats;
 
 /**
  * Any data type as a dynamic record: the fields are those of the Java record, in SI units, so that whatever shows
  * numbers can show all of them alike. Nothing is converted before it is asked for.
  */
 public final class DataRecord implements DynamicRecord {
-  private static final ClassValue<RecordFields> FIELDS = new ClassValue<>() {
-    @Override
-    protected RecordFields computeValue(Class<?> type) {
-      return RecordFields.of(type);
-    }
-  };
-
   private final String schema;
   private final Record value;
   private final RecordFields fields;
@@ -29,7 +17,7 @@ public final class DataRecord implements DynamicRecord {
   private DataRecord(Record value) {
     this.schema = value.getClass().getSimpleName();
     this.value = value;
-    this.fields = FIELDS.get(value.getClass());
+    this.fields = RecordFields.of(value.getClass());
   }
 
   /**
@@ -56,37 +44,8 @@ public final class DataRecord implements DynamicRecord {
     return new DataRecord(value);
   }
 
-  @Override
-  public OptionalDouble number(FieldPath path) {
-    Optional<Object> at = Optional.of(value);
-    for (FieldPath.Step step : path.steps()) {
-      at = at.isEmpty() ? at : follow(at.get(), step);
-    }
-    return at.isPresent() && at.get() instanceof Number number ? OptionalDouble.of(number.doubleValue())
-        : DynamicRecord.super.number(path);
-  }
-
-  /** Nothing where the way by fields has to tell what is there. */
-  private static Optional<Object> follow(Object at, FieldPath.Step step) {
-    return switch (step) {
-      case FieldPath.Step.Field field when at instanceof Record record && hasFields(record) -> FIELDS
-          .get(record.getClass()).raw(record, field.name()).flatMap(DataRecord::present);
-      case FieldPath.Step.Element element when at instanceof Doubles numbers
-          && element.index() < numbers.size() -> Optional.of(numbers.get(element.index()));
-      case FieldPath.Step.Element element when at instanceof Floats numbers
-          && element.index() < numbers.size() -> Optional.of((double) numbers.get(element.index()));
-      case FieldPath.Step.Element element when at instanceof List<?> list && element.index() < list.size() -> Optional
-          .of(list.get(element.index()));
-      default -> Optional.empty();
-    };
-  }
-
-  private static boolean hasFields(Record record) {
-    return !(record instanceof DynamicRecord || record instanceof Stamp || record instanceof FrameId);
-  }
-
-  private static Optional<Object> present(Object value) {
-    return value instanceof Optional<?> optional ? optional.map(Object.class::cast) : Optional.of(value);
+  Record value() {
+    return value;
   }
 
   @Override
@@ -101,6 +60,6 @@ public final class DataRecord implements DynamicRecord {
 
   @Override
   public Optional<FieldValue> field(String name) {
-    return fields.value(value, name);
+    return fields.find(name).flatMap(f -> f.value(value));
   }
 }

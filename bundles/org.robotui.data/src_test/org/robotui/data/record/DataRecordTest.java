@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import org.robotui.data.Data;
 import org.robotui.data.FrameId;
@@ -27,7 +28,7 @@ class DataRecordTest {
   private static Optional<FieldValue> at(Data value, String path) {
     Optional<FieldValue> found = DataRecord.of(value).at(FieldPath.parse(path));
     assertEquals(found.stream().filter(FieldValue.Num.class::isInstance).mapToDouble(v -> ((FieldValue.Num) v).value())
-        .findFirst(), DataRecord.of(value).number(FieldPath.parse(path)), path);
+        .findFirst(), new NumberPath(FieldPath.parse(path)).in(DataRecord.of(value)), path);
     return found;
   }
 
@@ -93,5 +94,44 @@ class DataRecordTest {
   void aDynamicRecordStandsForItself() {
     DynamicRecord record = new MapRecord("a/B", Map.of("x", new FieldValue.Flag(true)));
     assertSame(record, DataRecord.of(record));
+  }
+
+  @Test
+  void onePathReadsValuesOfOneTypeAfterAnother() {
+    NumberPath path = new NumberPath(FieldPath.parse("pose.rotation.yaw"));
+    StampedPose pose = new StampedPose(FRAME, new RigidTransform(Vector3.ZERO, Quaternion.fromYaw(0.5)));
+    Seen seen = new Seen(Optional.of(new Turned(new Angles(7))));
+    DynamicRecord robots = new MapRecord("a/B",
+        Map.of("pose", new FieldValue.Nested(new MapRecord("a/C", Map.of("x", new FieldValue.Flag(true))))));
+    for (int i = 0; i < 2; i++) {
+      assertEquals(0.5, path.in(DataRecord.of(pose)).orElseThrow(), 1e-12);
+      assertEquals(OptionalDouble.of(7), path.in(DataRecord.of(seen)));
+      assertEquals(OptionalDouble.empty(), path.in(DataRecord.of(new Seen(Optional.empty()))));
+      assertEquals(OptionalDouble.empty(), path.in(robots));
+    }
+  }
+
+  @Test
+  void whatCannotBeReadIsSaid() {
+    DynamicRecord broken = DataRecord.of(new Broken(1));
+    assertEquals(OptionalDouble.empty(), new NumberPath(FieldPath.parse("x")).in(broken));
+    assertEquals(Optional.of(new FieldValue.Text("(x cannot be read: not today)")), broken.field("x"));
+  }
+
+  /** A pose that may be absent. */
+  public record Seen(Optional<Turned> pose) implements Data {}
+
+  /** A field of the same name as that of a pose. */
+  public record Turned(Angles rotation) {}
+
+  /** A number that is no double. */
+  public record Angles(Integer yaw) {}
+
+  /** Gives away nothing. */
+  public record Broken(double x) implements Data {
+    @Override
+    public double x() {
+      throw new IllegalStateException("not today");
+    }
   }
 }

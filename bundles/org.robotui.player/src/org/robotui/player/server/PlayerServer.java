@@ -1,6 +1,7 @@
 package org.robotui.player.server;
 
 import java.io.IOException;
+import java.time.Duration;
 import org.robotui.player.internal.server.Acceptor;
 import org.robotui.player.internal.server.Registry;
 import org.robotui.player.layout.InterfaceLayout;
@@ -55,6 +56,17 @@ public final class PlayerServer implements AutoCloseable {
    */
   public int port() {
     return acceptor.port();
+  }
+
+  /**
+   * Waits until what was published has been written to all clients that do not fetch their data.
+   *
+   * @param patience how long at most
+   * @return false where a client did not read it in time
+   * @throws InterruptedException where the thread is interrupted
+   */
+  public boolean awaitSent(Duration patience) throws InterruptedException {
+    return acceptor.awaitSent(patience);
   }
 
   /** Closes all connections, in bounded time. */

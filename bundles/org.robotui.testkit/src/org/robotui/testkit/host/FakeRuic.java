@@ -9,6 +9,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Function;
 import org.robotui.api.Uic;
 import org.robotui.api.command.Authority;
@@ -46,6 +47,7 @@ public final class FakeRuic implements Ruic {
   private final FakeAlerts alerts = new FakeAlerts();
   private final FakeSelection selection = new FakeSelection();
   private final FakeShowings showings = new FakeShowings();
+  private final AtomicLong ticks = new AtomicLong();
   private final List<String> calls = new CopyOnWriteArrayList<>();
   private final List<String> windows = new CopyOnWriteArrayList<>();
   private final FakeArranging arranging = new FakeArranging();
@@ -338,6 +340,11 @@ public final class FakeRuic implements Ruic {
   @Override
   public Optional<SettingsStore> settings(String id) {
     return Optional.ofNullable(settings.get(id));
+  }
+
+  @Override
+  public long ticks(String id) {
+    return ticks.incrementAndGet();
   }
 
   @Override

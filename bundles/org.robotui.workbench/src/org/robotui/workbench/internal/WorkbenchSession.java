@@ -30,6 +30,7 @@ import org.robotui.workbench.internal.model.Windows;
 import org.robotui.workbench.internal.pane.ExchangeDialog;
 import org.robotui.workbench.internal.timeline.EventSearch;
 import org.robotui.workbench.internal.timeline.LiveTimeline;
+import org.robotui.workbench.internal.timeline.PictureSaving;
 import org.robotui.workbench.internal.timeline.RecordingCalls;
 import org.robotui.workbench.internal.timeline.RunCompare;
 import org.robotui.workbench.internal.timeline.TrackAnalysis;
@@ -63,6 +64,7 @@ public final class WorkbenchSession {
   private final RecordingCalls calls =
       new RecordingCalls(this::later, task -> Thread.ofPlatform().daemon().name("robotui-recordings").start(task));
   private final RunCompare compare = new RunCompare(calls, WorkbenchServices::comparison);
+  private final PictureSaving pictures = new PictureSaving(calls, timeline, WorkbenchServices::videos);
   private final TrackAnalysis analysis =
       new TrackAnalysis(calls, WorkbenchServices::offsets, WorkbenchServices::reports,
           WorkbenchServices::videos);
@@ -162,6 +164,11 @@ public final class WorkbenchSession {
   /** What recordings are compared to. */
   public RunCompare compare() {
     return compare;
+  }
+
+  /** Saves what views show of recordings. */
+  public PictureSaving pictures() {
+    return pictures;
   }
 
   /** What takes long and is asked of recordings. */

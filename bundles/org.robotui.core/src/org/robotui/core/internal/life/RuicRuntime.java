@@ -304,6 +304,11 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
   }
 
   @Override
+  public long ticks(String id) {
+    return components.uic(id).map(UicSlot::ticks).orElse(0L);
+  }
+
+  @Override
   public String title(String id) {
     return arranged.title(id).orElse(id);
   }

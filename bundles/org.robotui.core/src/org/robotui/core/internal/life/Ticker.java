@@ -34,6 +34,7 @@ final class Ticker implements Watched, AutoCloseable {
   private final TickDoubt doubt;
   private volatile long tickSince = NOT_TICKING;
   private volatile Duration limit = Limits.FIRST;
+  private volatile long done;
   private boolean selected;
   private boolean closed;
 
@@ -102,6 +103,7 @@ final class Ticker implements Watched, AutoCloseable {
     } finally {
       tickSince = NOT_TICKING;
       limit = Limits.TICK;
+      done = done + 1; // written by this thread alone
     }
   }
 
@@ -132,6 +134,11 @@ final class Ticker implements Watched, AutoCloseable {
   @Override
   public void close() {
     end();
+  }
+
+  /** How many ticks have ended. */
+  long done() {
+    return done;
   }
 
   /** Whether its thread has not ended. */

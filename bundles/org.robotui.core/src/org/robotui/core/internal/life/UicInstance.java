@@ -94,6 +94,11 @@ final class UicInstance extends Instance implements UicContext {
     return ticker.filter(Ticker::isAlive).isPresent();
   }
 
+  /** How many ticks it has done. */
+  long ticks() {
+    return ticker.map(Ticker::done).orElse(0L);
+  }
+
   /** What its successor can go on with; nothing while a thread of its own may still change it. */
   Optional<Object> retain() {
     return isTicking() ? Optional.empty() : uic.flatMap(Uic::retain);

@@ -82,6 +82,10 @@ final class UicSlot extends Slot<UicType, UicInstance> {
     return instance().flatMap(UicInstance::made);
   }
 
+  long ticks() {
+    return instance().map(UicInstance::ticks).orElse(0L);
+  }
+
   Optional<SettingsStore> settings() {
     return instance().map(UicInstance::settings);
   }

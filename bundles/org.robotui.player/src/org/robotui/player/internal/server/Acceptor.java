@@ -95,6 +95,16 @@ public final class Acceptor implements Closeable {
     }
   }
 
+  /** Waits until all clients were told all; false where one did not read in time. */
+  public boolean awaitSent(Duration patience) throws InterruptedException {
+    long deadline = System.nanoTime() + patience.toNanos();
+    boolean all = true;
+    for (ClientSession each : sessions) {
+      all &= each.awaitSent(deadline);
+    }
+    return all;
+  }
+
   @Override
   public void close() {
     listener.close();

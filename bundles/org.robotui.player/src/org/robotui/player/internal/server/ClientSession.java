@@ -131,6 +131,11 @@ final class ClientSession {
     socket.getOutputStream().write(bytes);
   }
 
+  /** Waits until all that the client is to be told was written. */
+  boolean awaitSent(long deadlineNanos) throws InterruptedException {
+    return out.awaitSent(deadlineNanos);
+  }
+
   /** Lets everything go that the client had open. */
   void close() {
     out.close();

@@ -2,6 +2,7 @@ package org.robotui.player.internal.server;
 
 import java.util.ArrayDeque;
 import java.util.Optional;
+import java.util.concurrent.TimeUnit;
 import org.robotui.player.interfaces.Server;
 import org.robotui.player.wire.PlayerMessage;
 
@@ -23,6 +24,7 @@ final class SendQueue {
   private Optional<PlayerMessage> mark = Optional.empty();
   private long dropped;
   private boolean pull;
+  private boolean writing;
   private boolean closed;
 
   SendQueue(int mostData) {
@@ -100,9 +102,12 @@ final class SendQueue {
 
   /** Waits for the next message; empty once closed. */
   synchronized Optional<PlayerMessage> take() throws InterruptedException {
-    while (answers.isEmpty() && released == 0 && mark.isEmpty() && !closed) {
+    writing = false;
+    notifyAll();
+    while (isEmpty() && !closed) {
       wait();
     }
+    writing = !closed;
     if (closed) {
       return Optional.empty();
     }
@@ -118,7 +123,24 @@ final class SendQueue {
     return end;
   }
 
+  private boolean isEmpty() {
+    return answers.isEmpty() && released == 0 && mark.isEmpty();
+  }
+
+  /** Waits until nothing waits any more, apart from what is to be fetched; false where it did not come to that. */
+  synchronized boolean awaitSent(long deadlineNanos) throws InterruptedException {
+    for (long left = deadlineNanos - System.nanoTime(); (writing || !isEmpty()) && !closed; left =
+        deadlineNanos - System.nanoTime()) {
+      if (left <= 0) {
+        return false;
+      }
+      TimeUnit.NANOSECONDS.timedWait(this, left);
+    }
+    return true;
+  }
+
   synchronized void close() {
+    writing = false;
     closed = true;
     notifyAll();
   }

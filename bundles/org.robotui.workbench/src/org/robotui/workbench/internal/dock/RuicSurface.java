@@ -122,6 +122,11 @@ public final class RuicSurface extends Composite {
     return seenIn(last.filter(stack -> !stack.isDisposed()));
   }
 
+  /** The same with its control; none where it says why there is no view. */
+  public Optional<SeenView> lastSeen() {
+    return last.filter(stack -> !stack.isDisposed()).flatMap(ViewStack::seenView);
+  }
+
   private Optional<ViewEntry> seenIn(Optional<ViewStack> stack) {
     Optional<String> id = stack.map(ViewStack::seenId);
     return views().stream().filter(v -> id.filter(v.id()::equals).isPresent()).findFirst();

@@ -1,6 +1,7 @@
 package org.robotui.workbench.internal.dock;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.custom.StackLayout;
@@ -178,6 +179,11 @@ final class ViewStack extends Composite {
 
   String seenId() {
     return seen().id();
+  }
+
+  /** The view that is in front, where it runs. */
+  Optional<SeenView> seenView() {
+    return Stream.of(seen().getChildren()).findFirst().flatMap(SeenView::of);
   }
 
   /** Shows a view, if it is one of these, and gives it the keys. */

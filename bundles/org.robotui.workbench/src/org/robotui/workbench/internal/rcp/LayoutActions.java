@@ -19,8 +19,10 @@ import org.robotui.api.host.ViewFit;
 import org.robotui.ui.Theme;
 import org.robotui.ui.control.NameDialog;
 import org.robotui.ui.control.SaveDialog;
+import org.robotui.workbench.internal.WorkbenchServices;
 import org.robotui.workbench.internal.dock.RuicSurface;
 import org.robotui.workbench.internal.dock.ViewEntry;
+import org.robotui.workbench.internal.dock.ViewPictures;
 import org.robotui.workbench.internal.model.SearchEntry;
 import org.robotui.workbench.internal.pane.SearchPane;
 
@@ -82,6 +84,12 @@ record LayoutActions(Shell shell, Theme theme, RuicSurface surface) {
   /** Closes the view that has, or had, the keys. */
   void close() {
     surface.lastFocused().map(ViewEntry::id).ifPresent(surface.docking()::close);
+  }
+
+  /** Has what the view shows of the recordings saved that has, or had, the keys. */
+  void savePictures() {
+    surface.lastSeen().ifPresent(view -> WorkbenchServices.session().pictures().ask(surface, theme,
+        surface.ruic().title(view.id()), new ViewPictures(surface, view)));
   }
 
   /** Gives the present arrangement a name. */

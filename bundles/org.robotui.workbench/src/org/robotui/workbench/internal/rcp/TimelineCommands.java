@@ -4,6 +4,7 @@ import java.util.Optional;
 import org.eclipse.core.commands.AbstractHandler;
 import org.eclipse.core.commands.ExecutionEvent;
 import org.eclipse.core.commands.ExecutionException;
+import org.eclipse.ui.PlatformUI;
 import org.robotui.api.replay.Bookmark;
 import org.robotui.api.replay.Timeline;
 import org.robotui.workbench.internal.WorkbenchServices;
@@ -41,6 +42,8 @@ public final class TimelineCommands extends AbstractHandler {
       case "bookmark.next" -> moves.bookmark(true);
       case "bookmark.former" -> moves.bookmark(false);
       case "find" -> WorkbenchServices.session().search().ask();
+      case "pictures" -> WindowActions.layoutOf(PlatformUI.getWorkbench().getActiveWorkbenchWindow())
+          .ifPresent(LayoutActions::savePictures);
       case "faster" -> moves.faster(true);
       case "slower" -> moves.faster(false);
       default -> throw new ExecutionException("no such command: " + PREFIX + command);

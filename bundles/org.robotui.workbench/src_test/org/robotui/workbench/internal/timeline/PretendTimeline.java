@@ -104,6 +104,17 @@ final class PretendTimeline implements Timeline {
   }
 
   @Override
+  public void advance(long time) {
+    told("advance " + (time - BEGIN),
+        with(time, false, state.speed(), state.looping(), state.range(), state.bookmarks()));
+  }
+
+  @Override
+  public boolean isThere() {
+    return true;
+  }
+
+  @Override
   public void step(boolean forward, Optional<LaneId> lane) {
     told("step " + (forward ? "on" : "back") + lane.map(l -> " " + l.topic()).orElse(""), state);
   }

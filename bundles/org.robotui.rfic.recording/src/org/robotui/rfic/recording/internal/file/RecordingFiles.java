@@ -47,6 +47,20 @@ public final class RecordingFiles {
         : Recordings.open(file, progress);
   }
 
+  /**
+   * Opens a recording to send it into its framework: what is a log of a framework has its own messages, where it is
+   * otherwise read as messages of ROS 1.
+   *
+   * @param file a file or folder
+   * @param types files and folders of declarations of LCM; what is wrong in them is left out
+   * @param progress hears how far one without an index is
+   * @return the recording; who opens it closes it
+   * @throws IOException if it cannot be read, or types are not there
+   */
+  public static RecordingReader openToSend(Path file, List<Path> types, ScanProgress progress) throws IOException {
+    return LineLogs.isOne(file) ? LineLogs.openToSend(file, progress) : open(file, types, progress);
+  }
+
   private static TypeLibrary types(List<Path> places) throws IOException {
     return places.isEmpty() ? TypeLibrary.of(List.of(), List.of()) : TypeFolder.read(places);
   }

@@ -57,6 +57,14 @@ final class LineChannels {
     return message(channel, ByteBuffer.wrap(JsonText.write(values).getBytes(StandardCharsets.UTF_8)), moment);
   }
 
+  /** Bytes of a framework as they are; topics may have several types. */
+  synchronized RecordedMessage raw(String topic, RecordedSchema schema, String encoding, Map<String, String> metadata,
+      ByteBuffer bytes, Moment moment) {
+    RecordedChannel channel = byTopic.computeIfAbsent(topic + " " + schema.name() + " " + metadata,
+        name -> channel(topic, encoding, schema, metadata));
+    return message(channel, bytes, moment);
+  }
+
   private static RecordedMessage message(RecordedChannel channel, ByteBuffer bytes, Moment moment) {
     return new RecordedMessage(channel, moment.logged(), moment.stamp(), 0, bytes.asReadOnlyBuffer());
   }

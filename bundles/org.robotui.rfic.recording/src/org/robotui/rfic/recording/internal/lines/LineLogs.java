@@ -43,8 +43,25 @@ public final class LineLogs {
    * @throws RecordingException if it cannot be read
    */
   public static RecordingReader open(Path file, ScanProgress progress) throws RecordingException {
-    LineRuns runs = new LineRuns(file, format(file)
+    return open(file, progress, format(file)
         .orElseThrow(() -> new RecordingException(file, 0, "this is no log that is known here: " + KNOWN + " are")));
+  }
+
+  /**
+   * The same with messages of its own framework, where they can be told of its lines: those of Player.
+   *
+   * @param file the log
+   * @param progress hears how far it is
+   * @return the recording; who opens it closes it
+   * @throws RecordingException if it cannot be read
+   */
+  public static RecordingReader openToSend(Path file, ScanProgress progress) throws RecordingException {
+    return PlayerLines.isHead(head(file).lines()) ? open(file, progress, new PlayerDeviceLines())
+        : open(file, progress);
+  }
+
+  private static RecordingReader open(Path file, ScanProgress progress, LineFormat format) throws RecordingException {
+    LineRuns runs = new LineRuns(file, format);
     try {
       runs.scan(progress);
     } catch (RecordingException | RuntimeException e) {

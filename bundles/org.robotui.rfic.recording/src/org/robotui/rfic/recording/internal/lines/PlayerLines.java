@@ -22,6 +22,7 @@ import org.robotui.rfic.recording.internal.lines.LineChannels.Moment;
 
 /** Lines of Player's driver writelog. Topics are named as the devices of a robot that runs Player. */
 final class PlayerLines implements LineFormat {
+  static final String NAME = "Player log";
   private static final String HEAD = "## Player version";
   private static final double NANOS = 1e9;
   private static final double LATEST = 9e9;
@@ -41,7 +42,7 @@ final class PlayerLines implements LineFormat {
 
   @Override
   public String name() {
-    return "Player log";
+    return NAME;
   }
 
   @Override
@@ -51,8 +52,18 @@ final class PlayerLines implements LineFormat {
 
   @Override
   public List<RecordedMessage> messages(String line) {
+    Optional<PlayerMessage> message = parse(format, line);
+    try {
+      return message.isEmpty() ? List.of() : messages(message.get());
+    } catch (PlayerException e) {
+      throw new IllegalArgumentException(e.getMessage(), e);
+    }
+  }
+
+  /** The message of a line; none for a comment. */
+  static Optional<PlayerMessage> parse(LogFormat format, String line) {
     if (line.isEmpty() || line.startsWith("#")) {
-      return List.of();
+      return Optional.empty();
     }
     try {
       Optional<PlayerMessage> message = format.message(line);
@@ -60,7 +71,7 @@ final class PlayerLines implements LineFormat {
         throw new IllegalArgumentException("how its numbers follow each other is not known: "
             + line.substring(0, Math.min(line.length(), MOST_CHARACTERS)));
       }
-      return messages(message.get());
+      return message;
     } catch (PlayerException e) {
       throw new IllegalArgumentException(e.getMessage(), e);
     }
@@ -90,7 +101,7 @@ final class PlayerLines implements LineFormat {
         "player/" + kind, tree(record), moment));
   }
 
-  private static Moment moment(double seconds) {
+  static Moment moment(double seconds) {
     if (!(seconds >= 0 && seconds < LATEST)) {
       throw new IllegalArgumentException("its time is " + seconds + " s");
     }

@@ -20,6 +20,9 @@ import org.robotui.recording.RecordingReader;
 
 /** Sends the messages of a recording at the distances at which they were recorded. For one thread. */
 public final class RecordingSender implements AutoCloseable {
+  /** Those into which messages can be sent, for users. */
+  public static final String FRAMEWORKS = "ROS 1, ROS 2, LCM and Player";
+
   private static final long TICK_NANOS = 10_000_000L;
 
   private final RecordingReader recording;
@@ -58,14 +61,14 @@ public final class RecordingSender implements AutoCloseable {
     try {
       Set<String> left = new TreeSet<>();
       for (Map.Entry<String, List<RecordedChannel>> each : byEncoding.entrySet()) {
-        Optional<FrameworkSender> sender = sender(each.getKey(), each.getValue(), clock, variables, threads);
+        Optional<FrameworkSender> sender = sender(recording, each, clock, variables, threads);
         sender.ifPresent(made -> each.getValue().forEach(channel -> senders.put(channel.id(), made)));
         if (sender.isEmpty()) {
           each.getValue().forEach(channel -> left.add(channel.topic() + " (" + each.getKey() + ")"));
         }
       }
       if (senders.isEmpty()) {
-        throw new IOException("there is nothing that can be sent: messages of ROS 1, ROS 2 and LCM can"
+        throw new IOException("there is nothing that can be sent: messages of " + FRAMEWORKS + " can"
             + (left.isEmpty() ? "" : ", here are " + String.join(", ", left)));
       }
       RecordingInterval span = recording.span().orElse(part.interval());
@@ -78,14 +81,26 @@ public final class RecordingSender implements AutoCloseable {
     }
   }
 
-  private static Optional<FrameworkSender> sender(String encoding, List<RecordedChannel> channels, boolean clock,
-      Map<String, String> variables, ThreadFactory threads) throws IOException, InterruptedException {
-    return switch (encoding) {
+  private static Optional<FrameworkSender> sender(RecordingReader recording,
+      Map.Entry<String, List<RecordedChannel>> sent, boolean clock, Map<String, String> variables,
+      ThreadFactory threads) throws IOException, InterruptedException {
+    List<RecordedChannel> channels = sent.getValue();
+    return switch (sent.getKey()) {
       case Ros1Sender.ENCODING -> Optional.of(Ros1Sender.open(channels, clock, variables, threads));
       case LcmSender.ENCODING -> Optional.of(LcmSender.open(variables, threads));
       case Ros2Sender.ENCODING -> Optional.of(Ros2Sender.open(channels, clock, variables, threads));
+      case PlayerSender.ENCODING -> Optional.of(PlayerSender.open(recording, channels, variables, threads));
       default -> Optional.empty();
     };
+  }
+
+  /**
+   * Where clients have to connect to, for users.
+   *
+   * @return such as the address of a server with what it has; nothing where they meet elsewhere
+   */
+  public List<String> places() {
+    return senders().stream().flatMap(each -> each.places().stream()).toList();
   }
 
   /**

@@ -94,13 +94,8 @@ final class Ros2Sender implements FrameworkSender {
   public void send(RecordedMessage message) {
     Ros2Publisher<ByteBuffer> publisher = publishers.get(message.channel().id());
     if (publisher != null) {
-      publisher.publish(copy(message.data()));
+      publisher.publish(FrameworkSender.copy(message.data()));
     }
-  }
-
-  /** A publisher keeps what it sends, and must not keep the whole chunk that a message lies in. */
-  private static ByteBuffer copy(ByteBuffer data) {
-    return ByteBuffer.allocate(data.remaining()).put(data.duplicate()).flip();
   }
 
   @Override

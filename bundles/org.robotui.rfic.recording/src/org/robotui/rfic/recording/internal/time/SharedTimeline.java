@@ -124,15 +124,11 @@ public final class SharedTimeline implements Timeline {
     }
   }
 
-  /**
-   * Whether it is where it was wanted, and all that holds there was delivered.
-   *
-   * @return false while it is being moved
-   */
+  @Override
   public boolean isThere() {
     lock.lock();
     try {
-      return !stepping && step.isEmpty() && !passage.isWanted() && !passage.isMoving()
+      return seats.isEmpty() || !stepping && step.isEmpty() && !passage.isWanted() && !passage.isMoving()
           && passage.isDelivered();
     } finally {
       lock.unlock();
@@ -325,6 +321,20 @@ public final class SharedTimeline implements Timeline {
     act(() -> {
       step = Optional.empty();
       passage.want(time);
+    });
+  }
+
+  @Override
+  public void advance(long time) {
+    act(() -> {
+      passage.pause();
+      step = Optional.empty();
+      long to = seats.span().nearest(time);
+      if (!passage.isWanted() && !passage.isMoving() && to >= passage.position()) {
+        passage.goOn(to);
+      } else {
+        passage.want(to);
+      }
     });
   }
 

@@ -37,13 +37,14 @@ final class SentLines {
     CountDownLatch ended = new CountDownLatch(1);
     Thread end = end(Thread.currentThread(), ended);
     Runtime.getRuntime().addShutdownHook(end);
-    try (RecordingReader recording = RecordingFiles.open(command.file(), command.types(), ScanProgress.NONE);
+    try (RecordingReader recording = RecordingFiles.openToSend(command.file(), command.types(), ScanProgress.NONE);
         RecordingSender sender =
             RecordingSender.open(recording, part(recording), command.clock(), variables, THREADS)) {
       if (!sender.left().isEmpty()) {
-        err.println("robotui: not sent, as messages of ROS 1, ROS 2 and LCM alone are: "
+        err.println("robotui: not sent, as messages of " + RecordingSender.FRAMEWORKS + " alone are: "
             + String.join(", ", sender.left()));
       }
+      sender.places().forEach(out::println);
       out.println("sending " + command.file() + "; Ctrl+C ends it");
       out.println(sender.send(command.pace()) + " messages were sent");
       recording.damages().forEach(each -> err.println("robotui: " + each));

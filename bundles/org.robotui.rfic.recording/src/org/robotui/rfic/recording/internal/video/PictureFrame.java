@@ -2,6 +2,7 @@ package org.robotui.rfic.recording.internal.video;
 
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
+import java.awt.image.DataBufferByte;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.util.Optional;
@@ -69,6 +70,14 @@ public final class PictureFrame {
       }
     }
     return picture;
+  }
+
+  /** Bytes of which three are a pixel, blue first. */
+  static BufferedImage of(byte[] bgr, int width, int height) {
+    BufferedImage made = new BufferedImage(width, height, BufferedImage.TYPE_3BYTE_BGR);
+    byte[] into = ((DataBufferByte) made.getRaster().getDataBuffer()).getData();
+    System.arraycopy(bgr, 0, into, 0, into.length);
+    return made;
   }
 
   /** In three bytes for each pixel, and of a size. */

@@ -1,7 +1,6 @@
 package org.robotui.uic.plot.internal.model;
 
 import java.util.Optional;
-import java.util.OptionalLong;
 import java.util.function.Supplier;
 import org.robotui.api.port.NumberField;
 import org.robotui.data.record.DynamicRecord;
@@ -20,8 +19,11 @@ final class Leaf {
   private final Sink sink;
   private final double gap;
   private final Cadence cadence;
-  private OptionalLong last = OptionalLong.empty();
-  private OptionalLong sequence = OptionalLong.empty();
+  /** Plain numbers, as an object for each of millions of samples takes its time; nothing counts before the first. */
+  private boolean begun;
+  private long last;
+  private boolean counted;
+  private long sequence;
   private Optional<String> problem = Optional.empty();
   private Optional<String> schema = Optional.empty();
   private long late;
@@ -58,20 +60,22 @@ final class Leaf {
 
   /** Whether a time lies so far back that the clock was set anew. */
   boolean jumpsBack(long time) {
-    return last.isPresent() && time < last.getAsLong() - JUMP;
+    return begun && time < last - JUMP;
   }
 
   /** Takes what was recorded before. */
   void replay(long time, double value) {
     sink.accept(time, value);
-    last = OptionalLong.of(time);
+    last = time;
+    begun = true;
   }
 
   /** Takes a value, given the number that its source gave it; says what was lost before it. */
   Optional<Loss> take(long number, long time, DynamicRecord data, Supplier<DynamicRecord> own) {
-    if (last.isPresent() && time < last.getAsLong()) {
+    if (begun && time < last) {
       late++;
-      sequence = OptionalLong.of(number);
+      sequence = number;
+      counted = true;
       return Optional.empty();
     }
     Optional<Loss> loss = breakBefore(number, time);
@@ -79,7 +83,8 @@ final class Leaf {
       case NumberField.Number n -> number(time, n);
       case NumberField.Missing m -> missing(time, m.reason());
     }
-    last = OptionalLong.of(time);
+    last = time;
+    begun = true;
     return loss;
   }
 
@@ -99,13 +104,14 @@ final class Leaf {
   }
 
   private Optional<Loss> breakBefore(long next, long time) {
-    long lost = sequence.isPresent() ? next - sequence.getAsLong() - 1 : 0;
-    boolean silent = last.isPresent() && cadence.silent(time - last.getAsLong());
-    sequence = OptionalLong.of(next);
-    if (last.isEmpty() || lost == 0 && !silent) {
+    long lost = counted ? next - sequence - 1 : 0;
+    boolean silent = begun && cadence.silent(time - last);
+    sequence = next;
+    counted = true;
+    if (!begun || lost == 0 && !silent) {
       return Optional.empty();
     }
     sink.accept(time, Double.NaN);
-    return lost > 0 ? Optional.of(new Loss(last.getAsLong(), time, lost)) : Optional.empty();
+    return lost > 0 ? Optional.of(new Loss(last, time, lost)) : Optional.empty();
   }
 }

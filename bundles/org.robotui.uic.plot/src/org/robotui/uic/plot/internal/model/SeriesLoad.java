@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Supplier;
 import org.robotui.api.port.RawMessage;
 import org.robotui.api.port.SourceId;
 import org.robotui.api.replay.HistoryTaker;
@@ -102,8 +103,9 @@ final class SeriesLoad implements Runnable {
     void take(RecordedValue value) {
       long time = clock.timeOf(value);
       DynamicRecord data = DataRecord.of(value.value());
+      Supplier<DynamicRecord> own = () -> value.raw().flatMap(RawMessage::record).orElse(data);
       for (Leaf leaf : leaves) {
-        leaf.take(sequence, time, data, () -> value.raw().flatMap(RawMessage::record).orElse(data));
+        leaf.take(sequence, time, data, own);
       }
       sequence++;
     }
