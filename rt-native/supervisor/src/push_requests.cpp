@@ -93,7 +93,7 @@ void PushRequests::push(std::uint64_t client, std::string_view words, std::int64
     replies_.answer(client, kNoHal);
   } else {
     *place = {client, push, now_ns + static_cast<std::int64_t>(push.seconds * 1e9), true};
-    log_.info("The robot is pushed by a client: " + std::string(words) + " s.");
+    log_.info("A client pushes the robot: " + std::string(words) + " s.");
   }
 }
 

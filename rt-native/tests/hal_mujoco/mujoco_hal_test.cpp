@@ -69,9 +69,9 @@ TEST_F(Arm, EffortsStayWithinTheLimitsOfTheJoint) {
 // At the tip as at a joint: what gives way says how strong it is.
 TEST_F(Arm, IsPushedAtAJointAndAtALinkForAsLongAsIsSaid) {
   const auto push = [&](const std::string& link, std::array<double, 3> force) {
-    link::Push push{0, 3, {}, link, force};
-    if (link.empty()) push.joint = static_cast<std::uint32_t>(arm.index("shoulder_yaw"));
-    return arm.hal.push(push);
+    link::Push wish{0, 3, {}, link, force};
+    if (link.empty()) wish.joint = static_cast<std::uint32_t>(arm.index("shoulder_yaw"));
+    return arm.hal.push(wish);
   };
   arm.reference("shoulder_yaw") = {0, 0, 0, 100, 30, static_cast<std::uint8_t>(link::kPosition | link::kImpedance)};
   EXPECT_EQ(push("", {5, 0, 0}), "");
