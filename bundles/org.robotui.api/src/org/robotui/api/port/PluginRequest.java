@@ -6,7 +6,7 @@ package org.robotui.api.port;
  * @param plugin its name; empty where all drives are meant, the first one where several are
  * @param verb what
  * @param words for {@link Verb#COMMAND}: words that the plugin understands; for {@link Verb#SWITCH_TOGETHER}: names of
- *        plugins, each with 1 (start) or 0 (stop) behind it, with spaces between
+ * plugins, each with 1 (start) or 0 (stop) behind it, with spaces between
  */
 public record PluginRequest(String plugin, Verb verb, String words) {
   /** What can be asked of a plugin, and of drives. */
