@@ -16,6 +16,9 @@ class GravityModel {
   // Efforts by index of the robot, for its measured positions.
   const Eigen::VectorXd& update(const RobotInterface& robot) noexcept;
 
+  // As the robot was measured at the last update.
+  const ModelInterface& model() const noexcept { return *model_; }
+
  private:
   std::unique_ptr<ModelInterface> model_;
   BaseImu base_;

@@ -29,4 +29,10 @@ double readRuntime(const Reader& block, double usual);
 // The core of a `core_id`: one on which this process may run.
 std::optional<int> readCore(const Reader& block);
 
+// Behind the plugins, which it names.
+void readSwitchGroups(const Reader& top, RtConfig& into);
+
+// A name that can be said on a command line.
+void mustBeWord(const Reader& at, const std::string& word);
+
 }  // namespace robotui::rt::config

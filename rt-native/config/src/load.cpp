@@ -94,7 +94,7 @@ RtConfig load(const std::filesystem::path& file, const Overrides& overrides) {
   const Reader top = readYamlFile(config.file, {}, "the configuration");
   top.knows({"XBotInterface", "x_bot_interface", "RobotInterface", "ModelInterface", "MasterCommunicationInterface",
              "XBotRTPlugins", "NRTPlugins", "HALInterface", "RobotName", "SimulationOptions", "xbotcore_threads",
-             "xbotcore_plugins", "JointLimits"},
+             "xbotcore_plugins", "switch_groups", "JointLimits"},
             config.warnings);
   const RobotFiles files = readFiles(top, config.warnings);
   readModel(top, files, config);
@@ -105,6 +105,7 @@ RtConfig load(const std::filesystem::path& file, const Overrides& overrides) {
   readEmergencyStops(top, config);
   config.threads = readThreads(top, config.hal, overrides, config.warnings);
   readPlugins(top, config);
+  readSwitchGroups(top, config);
   checkLimits(top, config);
   return config;
 }

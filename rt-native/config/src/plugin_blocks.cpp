@@ -6,7 +6,6 @@
 #include "robotui/rt/link/words.h"
 
 namespace robotui::rt::config {
-namespace {
 
 void mustBeWord(const Reader& at, const std::string& word) {
   const bool plain = std::all_of(word.begin(), word.end(),
@@ -15,6 +14,8 @@ void mustBeWord(const Reader& at, const std::string& word) {
     at.fail("is '" + word.substr(0, 80) + "'; expected at most 63 letters, digits, '_' and '-'");
   }
 }
+
+namespace {
 
 YAML::Node paramsOf(const Reader& block) {
   const auto params = block.find("params");

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "robotui/rt/link/clock.h"
+#include "robotui/rt/link/relaxed.h"
 
 namespace robotui::rt::hal {
 
@@ -62,6 +63,29 @@ CommandInbox::Thread* CommandInbox::threadOf(std::uint16_t plugin) noexcept {
 
 const CommandInbox::Thread* CommandInbox::threadOf(std::uint16_t plugin) const noexcept {
   return const_cast<CommandInbox*>(this)->threadOf(plugin);
+}
+
+const link::HostSegment* CommandInbox::memoryOf(std::uint16_t plugin) const noexcept {
+  const Thread* const thread = threadOf(plugin);
+  const bool is_there = thread != nullptr && thread->plan.host < link::kMaxHosts &&
+                        thread->plan.thread < link::kMaxThreads && hosts_[thread->plan.host];
+  return is_there ? hosts_[thread->plan.host]->segment.get() : nullptr;
+}
+
+link::PluginState CommandInbox::stateOf(std::uint16_t plugin) const noexcept {
+  const link::HostSegment* const host = plugin < link::kMaxPlugins ? memoryOf(plugin) : nullptr;
+  return host == nullptr ? link::PluginState::kAbsent
+                         : static_cast<link::PluginState>(host->plugins[plugin].state.load(std::memory_order_relaxed));
+}
+
+std::uint64_t CommandInbox::progressOf(std::uint16_t plugin) const noexcept {
+  const link::HostSegment* const host = memoryOf(plugin);
+  return host == nullptr ? 0 : link::relaxedLoad(host->thread_statistics[threadOf(plugin)->plan.thread].cycles);
+}
+
+std::uint64_t CommandInbox::everyOf(std::uint16_t plugin) const noexcept {
+  const Thread* const thread = threadOf(plugin);
+  return thread == nullptr ? 1 : thread->plan.every;
 }
 
 void CommandInbox::want(std::uint16_t plugin) noexcept {

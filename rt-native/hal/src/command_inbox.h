@@ -62,6 +62,12 @@ class CommandInbox {
   bool isNew(std::uint16_t plugin) const noexcept;  // its answer came in this cycle
   const link::JointCommand& command(std::uint16_t plugin, std::uint32_t joint) const noexcept;
 
+  // What the host of a plugin writes in its memory, on the real-time thread: its state as the host sees it, how many
+  // cycles its thread has done, and how many of the HAL each of these takes.
+  link::PluginState stateOf(std::uint16_t plugin) const noexcept;
+  std::uint64_t progressOf(std::uint16_t plugin) const noexcept;
+  std::uint64_t everyOf(std::uint16_t plugin) const noexcept;
+
   std::uint64_t missed() const noexcept { return missed_; }
 
  private:
@@ -80,6 +86,7 @@ class CommandInbox {
 
   Thread* threadOf(std::uint16_t plugin) noexcept;
   const Thread* threadOf(std::uint16_t plugin) const noexcept;
+  const link::HostSegment* memoryOf(std::uint16_t plugin) const noexcept;
   link::SlotReader* readerOf(const Thread& thread) noexcept;
   void adopt(std::size_t host) noexcept;
   bool take(Thread& thread, std::uint64_t cycle) noexcept;

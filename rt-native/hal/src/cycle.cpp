@@ -45,7 +45,7 @@ void Cycle::run(std::uint64_t cycle, std::int64_t start_ns) noexcept {
   inbox_->begin();
   sense(cycle);
   falls_.begin(cycle, stops_.bits());
-  assign();
+  assign(cycle);
   follow();
   publish(cycle);
   inbox_->collect(cycle,
@@ -110,11 +110,12 @@ void Cycle::sense(std::uint64_t cycle) noexcept {
 }
 
 // Grant before owner: see BoardReader.
-void Cycle::assign() noexcept {
+void Cycle::assign(std::uint64_t cycle) noexcept {
   const bool all_safe = away_ || stops_.isStopped() || ending_.load(std::memory_order_relaxed);
+  groups_.look(cycle, *inbox_, all_safe);
   for (std::uint32_t j = 0; j < joints_.size(); ++j) {
-    const std::uint32_t grant = board_.grant(j);
-    const std::uint16_t owner = board_.owner(j);
+    const std::uint32_t granted = board_.grant(j);
+    const auto [owner, grant] = groups_.holder(j, board_.owner(j), granted);
     if (joints_[j].belongs(owner, grant, measured_.joints[j])) inbox_->forgive(owner);
     if (stops_.isStopped()) fall(j, link::FallCause::kEmergency);
     if (away_) fall(j, link::FallCause::kHardware);
@@ -127,6 +128,7 @@ void Cycle::assign() noexcept {
 void Cycle::publish(std::uint64_t cycle) noexcept {
   for (std::size_t j = 0; j < joints_.size(); ++j) joints_[j].describe(frame_.joints[j]);
   frame_.cycle = cycle;
+  frame_.switched = groups_.switched();
   writer_.publish(frame_);
   writer_.ring();
 }
@@ -161,7 +163,10 @@ bool Cycle::obey(std::uint32_t joint) noexcept {
 bool Cycle::obeyAnswer(std::uint32_t joint) noexcept {
   JointControl& control = joints_[joint];
   const std::uint16_t owner = control.owner();
-  const auto outcome = control.command(inbox_->command(owner, joint), inbox_->isNew(owner));
+  const link::JointCommand& command = inbox_->command(owner, joint);
+  const bool is_new = inbox_->isNew(owner);
+  if (!is_new && command.plugin != owner) return false;  // of before the joint changed hands within the thread
+  const auto outcome = control.command(command, is_new);
   if (outcome == JointControl::Outcome::kRejected) {
     falls_.refused(joint, control);
     if (control.rejectedInTurn() >= settings_.misses_before_safe) fall(joint, link::FallCause::kRejected);

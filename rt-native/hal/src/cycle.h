@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "command_inbox.h"
+#include "group_switch.h"
 #include "joint_control.h"
 #include "joint_falls.h"
 #include "robotui/rt/config/config.h"
@@ -48,6 +49,9 @@ class Cycle {
   // On one ordinary thread: what there is to tell of joints. False where there is nothing more.
   bool takeEvent(link::JointEvent& into) noexcept { return falls_.take(into); }
 
+  // Its ordinary part, on the same thread: groups of plugins to be switched.
+  GroupSwitch& groups() noexcept { return groups_; }
+
   // On the same thread: which emergency stops keep the robot safe.
   StopReport takeStops() noexcept { return stops_.take(); }
 
@@ -58,7 +62,7 @@ class Cycle {
   void anchor() noexcept;
   void keepOld() noexcept;
   void publish(std::uint64_t cycle) noexcept;
-  void assign() noexcept;
+  void assign(std::uint64_t cycle) noexcept;
   void apply() noexcept;
   void follow() noexcept;
   bool obey(std::uint32_t joint) noexcept;
@@ -81,6 +85,7 @@ class Cycle {
   std::vector<JointControl> joints_;
   JointFalls falls_;
   StopInputs stops_;
+  GroupSwitch groups_;
   std::vector<std::uint64_t> astray_;  // cycles in turn too far from the reference, by joint
   std::vector<Reference> references_;
   std::vector<double> torques_;

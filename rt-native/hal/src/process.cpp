@@ -129,12 +129,31 @@ void Process::press(std::string_view words, const link::Socket& supervisor) {
     supervisor.send("log warn The emergency stops of this HAL are real: press and release them by hand.");
 }
 
+// The supervisor orders one at a time: there is room.
+void Process::switchGroup(const link::Packet& packet) {
+  if (packet.verb() == "cancel") {
+    std::uint32_t group = 0;
+    std::from_chars(packet.rest().data(), packet.rest().data() + packet.rest().size(), group);
+    cycle_->groups().cancel(group);
+  } else if (const auto order = link::groupOrderOf(packet.rest())) {
+    cycle_->groups().order(*order);
+  }
+}
+
+void Process::push(std::string_view words, const link::Socket& supervisor) {
+  const auto push = link::pushOf(words);
+  const auto [number, rest] = link::splitWord(words);
+  const std::string objection = push ? hal_->push(*push) : "The HAL does not understand this push.";
+  supervisor.send("pushed " + std::string(number) + (objection.empty() ? "" : " " + objection));
+}
+
 void Process::obey(const link::Socket& supervisor, const std::atomic<bool>& ended) {
   link::Packet packet;
   while (!ended) {
     const link::Received received = supervisor.receive(packet, kLook);
     for (const std::string& sentence : hal_->news()) supervisor.send("log warn " + sentence);
     tellStops(supervisor);
+    for (link::GroupOutcome outcome; cycle_->groups().take(outcome);) supervisor.send(link::textOf(outcome));
     for (link::JointEvent event; cycle_->takeEvent(event);) supervisor.send(link::textOf(event));
     tellDrives(supervisor);
     if (received == link::Received::kTimeout) continue;
@@ -145,6 +164,10 @@ void Process::obey(const link::Socket& supervisor, const std::atomic<bool>& ende
         supervisor.send("log info " + sentence);
     } else if (packet.verb() == "press") {
       press(packet.rest(), supervisor);
+    } else if (packet.verb() == "group" || packet.verb() == "cancel") {
+      switchGroup(packet);
+    } else if (packet.verb() == "push") {
+      push(packet.rest(), supervisor);
     } else if (packet.verb() != "host" || !replaceHost(packet)) {
       supervisor.send("log warn The HAL does not understand '" + packet.text + "'.");
     }

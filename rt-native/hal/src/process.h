@@ -42,6 +42,8 @@ class Process {
   bool replaceHost(link::Packet& packet);
   void tellDrives(const link::Socket& supervisor);
   void tellStops(const link::Socket& supervisor);
+  void switchGroup(const link::Packet& packet);
+  void push(std::string_view words, const link::Socket& supervisor);
   void press(std::string_view words, const link::Socket& supervisor);
 
   link::Segment<link::StateSegment> state_;

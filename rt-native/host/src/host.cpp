@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <sstream>
 
 #include "robotui/rt/link/board.h"
 #include "robotui/rt/link/words.h"
@@ -176,6 +177,10 @@ bool Host::obey(const link::Packet& packet) {
     command(packet.rest());
     return true;
   }
+  if (verb == "arm" || verb == "disarm") {
+    switchWithOthers(packet.rest(), verb == "arm");
+    return true;
+  }
   Hosted* hosted = find(packet.rest());
   if (hosted == nullptr) {
     tell("log warn the host does not understand '" + packet.text + "'");
@@ -196,6 +201,28 @@ void Host::want(Hosted& hosted, bool running) {
   hosted.told = running ? PluginState::kStarting : PluginState::kStopping;
 }
 
+// "GROUP FROM P 1|0", or "P".
+void Host::switchWithOthers(std::string_view words, bool arm) {
+  std::istringstream text{std::string(words)};
+  std::uint32_t group = 0;
+  std::uint64_t from = 0;
+  std::string name;
+  int start = 0;
+  arm ? text >> group >> from >> name >> start : text >> name;
+  Hosted* hosted = find(name);
+  if (text.fail() || hosted == nullptr || hosted->plugin == nullptr) {
+    tell("log warn the host does not understand '" + std::string(words) + "'");
+  } else if (arm) {
+    hosted->plugin->arm(group, from, start == 1);
+    hosted->told = start == 1 ? PluginState::kStarting : PluginState::kStopping;
+  } else {
+    hosted->plugin->disarm();
+    const bool was_to_start = hosted->told == PluginState::kStarting;
+    const bool was_to_stop = hosted->told == PluginState::kStopping;
+    hosted->told = was_to_start ? PluginState::kStopping : was_to_stop ? PluginState::kRunning : hosted->told;
+  }
+}
+
 void Host::command(std::string_view words) {
   const auto [id, behind] = link::splitWord(words);
   const auto [name, order] = link::splitWord(behind);
@@ -213,6 +240,7 @@ std::string Host::unloadForReload(Hosted& hosted) {
   if (hosted.plugin == nullptr) {
     return {};
   }
+  hosted.plugin->disarm();
   hosted.plugin->want(false);
   const auto until = std::chrono::steady_clock::now() + std::chrono::milliseconds(500);
   while (hosted.plugin->state() == PluginState::kRunning && std::chrono::steady_clock::now() < until) {

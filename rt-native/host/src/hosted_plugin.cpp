@@ -107,9 +107,23 @@ bool HostedPlugin::order(std::uint32_t id, std::string_view words) noexcept {
   return orders_.push(order);
 }
 
+void HostedPlugin::arm(std::uint32_t group, std::uint64_t from, bool start) noexcept {
+  ready_from_.store(from, std::memory_order_relaxed);
+  armed_to_start_.store(start, std::memory_order_relaxed);
+  armed_.store(group, std::memory_order_release);
+}
+
+PluginState HostedPlugin::shown() const noexcept {
+  const PluginState now = state();
+  const bool is_to_stop =
+      armed_.load(std::memory_order_acquire) != 0 && !armed_to_start_.load(std::memory_order_relaxed);
+  return is_to_stop && now == PluginState::kRunning ? PluginState::kStopping : now;
+}
+
 bool HostedPlugin::cycle(double time, double period) noexcept {
   robot_.beginCycle();
   robot_.sense();
+  followGroup(time);
   startOrStop(time);
   if (state() == PluginState::kRunning) {
     succeeds("control_loop", [&] { return plugin_->control_loop(time, period); });
@@ -121,6 +135,7 @@ bool HostedPlugin::cycle(double time, double period) noexcept {
 }
 
 void HostedPlugin::idle(double time) noexcept {
+  leaveGroup(time);
   if (!wanted_.load(std::memory_order_acquire)) {
     startOrStop(time);
   }
@@ -148,19 +163,50 @@ void HostedPlugin::fail(std::initializer_list<std::string_view> parts) noexcept 
   state_.store(PluginState::kFailed, std::memory_order_release);
 }
 
+// The HAL alone says when: all hosts read it in the same frame.
+void HostedPlugin::followGroup(double time) noexcept {
+  leaveGroup(time);
+  const std::uint32_t group = armed_.load(std::memory_order_acquire);
+  if (group == 0) return;
+  const bool start = armed_to_start_.load(std::memory_order_relaxed);
+  if (robot_.frame().switched == group) {
+    wanted_.store(start, std::memory_order_release);
+    if (ready_for_ == group && state() == PluginState::kStarting)
+      state_.store(PluginState::kRunning, std::memory_order_release);
+    ready_for_ = 0;
+    armed_.store(0, std::memory_order_release);
+    return;
+  }
+  const bool is_due =
+      start && ready_for_ != group && robot_.frame().cycle >= ready_from_.load(std::memory_order_relaxed);
+  if (is_due && state() == PluginState::kStopped && succeeds("on_start", [&] { return plugin_->on_start(time); })) {
+    ready_for_ = group;
+    state_.store(PluginState::kStarting, std::memory_order_release);
+  }
+}
+
+// It was ready for a group that is not switched: its on_start is taken back.
+void HostedPlugin::leaveGroup(double time) noexcept {
+  if (ready_for_ == 0 || ready_for_ == armed_.load(std::memory_order_acquire)) return;
+  ready_for_ = 0;
+  if (state() == PluginState::kStarting) stop(time);
+}
+
 void HostedPlugin::startOrStop(double time) noexcept {
   const bool wanted = wanted_.load(std::memory_order_acquire);
   const PluginState now = state();
   if (wanted && now == PluginState::kStopped && succeeds("on_start", [&] { return plugin_->on_start(time); })) {
     state_.store(PluginState::kRunning, std::memory_order_release);
   }
-  const auto stop = [&] {
+  if (!wanted && now == PluginState::kRunning) stop(time);
+}
+
+void HostedPlugin::stop(double time) noexcept {
+  const bool is_done = succeeds("on_stop", [&] {
     plugin_->on_stop(time);
     return RtStatus::ok();
-  };
-  if (!wanted && now == PluginState::kRunning && succeeds("on_stop", stop)) {
-    state_.store(PluginState::kStopped, std::memory_order_release);
-  }
+  });
+  if (is_done) state_.store(PluginState::kStopped, std::memory_order_release);
 }
 
 void HostedPlugin::obey() noexcept {

@@ -134,7 +134,7 @@ void PluginThread::idle() noexcept {
     HostedPlugin* plugin = place.load();
     if (plugin != nullptr) {
       plugin->idle(time());
-      host_.plugins[plugin->index()].state.store(static_cast<std::uint32_t>(plugin->state()),
+      host_.plugins[plugin->index()].state.store(static_cast<std::uint32_t>(plugin->shown()),
                                                  std::memory_order_relaxed);
     }
   }
@@ -147,7 +147,7 @@ bool PluginThread::runPlugin(HostedPlugin& plugin) noexcept {
   const bool ran = plugin.cycle(time(), static_cast<double>(plan_.period_ns) * 1e-9);
   const std::int64_t busy = link::now() - begun;
   statistics().inside.store(link::kNobody, std::memory_order_relaxed);
-  mine.state.store(static_cast<std::uint32_t>(plugin.state()), std::memory_order_relaxed);
+  mine.state.store(static_cast<std::uint32_t>(plugin.shown()), std::memory_order_relaxed);
   if (ran) {
     link::relaxedAdd<std::uint64_t>(mine.cycles, 1);
     link::relaxedStore(mine.last_busy_ns, busy);
@@ -156,12 +156,14 @@ bool PluginThread::runPlugin(HostedPlugin& plugin) noexcept {
   return ran;
 }
 
-// A joint has one owner: what others say about it is left out.
+// A joint has one owner: what others say about it is left out. The board is behind the HAL where a group is switched,
+// and before it where one plugin is.
 void PluginThread::collect(const HostedPlugin& plugin) noexcept {
   const auto outgoing = plugin.outgoing();
   const auto joints = std::min<std::size_t>(outgoing.size(), reader_.counts().joints);
   for (std::uint32_t i = 0; i < joints; ++i) {
-    if (outgoing[i].mode != 0 && board_.owner(i) == plugin.index()) {
+    const bool owns = board_.owner(i) == plugin.index() || frame_.joints[i].owner == plugin.index();
+    if (outgoing[i].mode != 0 && owns) {
       commands_.joints[i] = outgoing[i];
       commands_.joints[i].plugin = static_cast<std::uint16_t>(plugin.index());
     }

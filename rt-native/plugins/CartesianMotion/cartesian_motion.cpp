@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "chosen_joints.h"
 #include "held_position.h"
 #include "numbers.h"
 
@@ -32,30 +31,9 @@ bool CartesianMotion::init_control_plugin(Setup& setup) {
   }
   model_ = setup.createModel();
   positions_.setZero(model_->getJointNum());
-  jacobian_.setZero(6, model_->getDofs());
-  return findChain(setup);
-}
-
-bool CartesianMotion::findChain(Setup& setup) {
-  const config::Reader params(setup.params(), {}, setup.name());
-  const auto chains = setup.robot().chains();
-  const auto named = params.find("chain");
-  if (!named && chains.size() != 1) {
-    setup.fail("The robot has " + std::to_string(chains.size()) + " chains: say with `chain` whose tip is to move.");
-    return false;
-  }
-  KinematicChain* chain = named ? setup.robot().findChain(named->text()) : &chains.front();
-  if (chain == nullptr) named->fail("is no chain of the SRDF");
-  base_ = model_->findLink(chain->baseLink());
-  tip_ = model_->findLink(chain->tipLink());
-  std::vector<std::string> names;
-  for (int i = 0; i < chain->size(); ++i) {
-    Joint& joint = chain->joint(i);
-    joints_.push_back({&joint, model_->findJoint(joint.name())->index(), 0, 0, false});
-    names.push_back(joint.name());
-  }
-  reduced_.setZero(6, chain->size());
-  setup.claim(names);
+  if (!chain_.find(setup, params, *model_)) return false;
+  for (std::size_t i = 0; i < chain_.joints().size(); ++i)
+    joints_.push_back({chain_.joints()[i], chain_.inModel(i), 0, 0, false});
   return true;
 }
 
@@ -65,7 +43,7 @@ RtStatus CartesianMotion::on_start(double /*time*/) noexcept {
         std::clamp(heldPosition(*moved.joint), moved.joint->description().lower, moved.joint->description().upper);
   }
   updateModel();
-  at_ = tip();
+  at_ = chain_.tip(*model_);
   path_.rest(at_);
   progress_.begin();
   if (!first_pose_.empty()) path_.setTarget(first_pose_.data(), static_cast<int>(first_pose_.size()));
@@ -78,27 +56,19 @@ void CartesianMotion::updateModel() noexcept {
   model_->update();
 }
 
-Eigen::Isometry3d CartesianMotion::tip() const noexcept {
-  Eigen::Isometry3d base;
-  Eigen::Isometry3d tip;
-  model_->getPose(base_, base);
-  model_->getPose(tip_, tip);
-  return base.inverse(Eigen::Isometry) * tip;
-}
-
 // Damped least squares over the joints that are not held; false where all are.
 bool CartesianMotion::solve(const Twist& twist) noexcept {
   Eigen::Matrix<double, 6, 6> square = damping_ * damping_ * Eigen::Matrix<double, 6, 6>::Identity();
   bool any = false;
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     if (joints_[i].held) continue;
-    const Twist column = reduced_.col(static_cast<Eigen::Index>(i));
+    const Twist column = jacobian_->col(static_cast<Eigen::Index>(i));
     square += column * column.transpose();
     any = true;
   }
   const Twist weighted = square.llt().solve(twist);
   for (std::size_t i = 0; i < joints_.size(); ++i) {
-    joints_[i].velocity = joints_[i].held ? 0 : reduced_.col(static_cast<Eigen::Index>(i)).dot(weighted);
+    joints_[i].velocity = joints_[i].held ? 0 : jacobian_->col(static_cast<Eigen::Index>(i)).dot(weighted);
   }
   return any;
 }
@@ -133,22 +103,14 @@ void CartesianMotion::integrate(double period) noexcept {
 RtStatus CartesianMotion::control_loop(double /*time*/, double period) noexcept {
   const Twist along = path_.advance(poseDifference(at_, path_.now()), speeds_, period);
   const Twist twist = along + kGain * poseDifference(at_, path_.now());
-  Eigen::Isometry3d base;
-  model_->getPose(base_, base);
-  model_->getJacobian(tip_, jacobian_);
-  const Eigen::Matrix3d to_base = base.linear().transpose();
-  const Eigen::Index offset = jacobian_.cols() - positions_.size();
-  for (std::size_t i = 0; i < joints_.size(); ++i) {
-    const Twist column = jacobian_.col(offset + joints_[i].in_model);
-    reduced_.col(static_cast<Eigen::Index>(i)) << to_base * column.head<3>(), to_base * column.tail<3>();
-    joints_[i].held = false;
-  }
+  jacobian_ = &chain_.jacobian(*model_);
+  for (Moved& moved : joints_) moved.held = false;
   bool held = false;
   while (solve(twist) && holdAtLimits(period)) held = true;
   limitVelocities();
   integrate(period);
   updateModel();
-  at_ = tip();
+  at_ = chain_.tip(*model_);
   progress_.look(poseDifference(at_, path_.target()), speeds_, period);
   status_ = statusNow(held);
   return RtStatus::ok();

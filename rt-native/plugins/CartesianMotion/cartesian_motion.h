@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "chain_frame.h"
 #include "robotui/rt/plugin/control_plugin.h"
 #include "straight_path.h"
 #include "target_progress.h"
@@ -32,9 +33,7 @@ class CartesianMotion final : public ControlPlugin {
     bool held;  // at its limit, in this cycle
   };
 
-  bool findChain(Setup& setup);
   void updateModel() noexcept;
-  Eigen::Isometry3d tip() const noexcept;
   bool solve(const Twist& twist) noexcept;
   bool holdAtLimits(double period) noexcept;
   void limitVelocities() noexcept;
@@ -42,12 +41,10 @@ class CartesianMotion final : public ControlPlugin {
   std::string_view statusNow(bool is_held) const noexcept;
 
   std::unique_ptr<ModelInterface> model_;
-  LinkId base_;
-  LinkId tip_;
+  ChainFrame chain_;
   std::vector<Moved> joints_;
-  Eigen::VectorXd positions_;                         // of the model
-  Eigen::MatrixXd jacobian_;                          // of the model
-  Eigen::Matrix<double, 6, Eigen::Dynamic> reduced_;  // of the chain, in the axes of its base
+  Eigen::VectorXd positions_;                       // of the model
+  const ChainFrame::Jacobian* jacobian_ = nullptr;  // of this cycle
   SpeedLimits speeds_{0.1, 0.5};
   double damping_ = 0.02;
   std::vector<double> first_pose_;

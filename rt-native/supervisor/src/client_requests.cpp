@@ -1,6 +1,7 @@
 #include "robotui/rt/supervisor/client_requests.h"
 
 #include "quoted.h"
+#include "robotui/rt/link/clock.h"
 
 namespace robotui::rt::supervisor {
 
@@ -25,6 +26,10 @@ void ClientRequests::dispatch(std::uint64_t client, const link::Packet& packet) 
     robot_.attach(client);
   } else if (verb == "switch") {
     plugins_.switchPlugin(client, rest);
+  } else if (verb == "group") {
+    groups_.switchGroup(client, rest);
+  } else if (verb == "groups") {
+    groups_.list(client);
   } else if (verb == "reload") {
     plugins_.reload(client, rest);
   } else if (verb == "command") {
@@ -53,11 +58,14 @@ void ClientRequests::dispatch(std::uint64_t client, const link::Packet& packet) 
     robot_.stops(client);
   } else if (verb == "press") {
     robot_.press(client, rest);
+  } else if (verb == "push") {
+    pushes_.push(client, rest, link::now());
   } else {
-    replies_.answer(client,
-                    "The request " + quoted(verb) +
-                        " is not known. There are: attach, switch, reload, command, status, trajectory, take, "
-                        "release, follower, describe, drives, recover, enable, disable, stops, press, reference.");
+    replies_.answer(
+        client,
+        "The request " + quoted(verb) +
+            " is not known. There are: attach, switch, group, groups, reload, command, status, trajectory, take, "
+            "release, follower, describe, drives, recover, enable, disable, stops, press, push, reference.");
   }
 }
 

@@ -15,6 +15,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "ctl_push.h"
 #include "ctl_table.h"
 #include "ctl_trace.h"
 #include "ctl_trajectory.h"
@@ -39,7 +40,8 @@ constexpr const char* kUsage = R"(robotui-rt-ctl [--name NAME] COMMAND
   joints                       position, reference and owner of each joint, and what was cut or refused
   loops                        the loops of the HAL and the threads
   watch [SECONDS]              joints and loops, again and again
-  switch PLUGIN 1|0            start or stop a plugin
+  switch PLUGIN 1|0 ...        start or stop a plugin; several are switched in the same cycle, or none is
+  group [NAME]                 switch a group of the configuration likewise, or list them
   status PLUGIN                what it says about itself
   command PLUGIN WORDS...      tell it something
   trajectory FILE [PLUGIN]     take joints along the points of a file, and wait for the end (docs/rt-trajectories.md); PLUGIN is JointTrajectory
@@ -48,6 +50,8 @@ constexpr const char* kUsage = R"(robotui-rt-ctl [--name NAME] COMMAND
   recover                      bring drives back that a fault has disabled
   enable, disable              enable the drives that are disabled, or disable all; no plugin leads a joint then
   estop [on|off [NAME]]        how the emergency stops stand; press or release one of a simulation, or all
+  push JOINT EFFORT | push LINK X Y Z, [--for SECONDS]
+                               push a simulated robot, as a hand would: N m or N on a joint, N in the axes of the world on a link; 1 s where nothing is said
   reload PLUGIN                load its library and its parameters anew
   reference JOINT=POSITION... [--for SECONDS]
                                command joints as the master framework (the communication plugin must run)
@@ -214,6 +218,21 @@ std::string doneWords(const std::string& command, const std::vector<std::string>
   return "ok";
 }
 
+int group(Client& client, const std::vector<std::string>& words) {
+  if (!words.empty()) return print(client.request("group " + joined(words), kReply));
+  const link::Reply reply = client.request("groups", kReply);
+  if (!reply.ok) return print(reply);
+  std::istringstream lines(reply.text);
+  std::string name;
+  std::string start;
+  std::string stop;
+  while (std::getline(lines, name, '\t') && std::getline(lines, start, '\t') && std::getline(lines, stop))
+    std::cout << std::left << std::setw(25) << name << (start.empty() ? "" : " starts " + start)
+              << (stop.empty() ? "" : " stops " + stop) << '\n';
+  if (reply.text.empty()) std::cout << "The configuration names no switch_groups.\n";
+  return 0;
+}
+
 int ask(Client& client, const std::string& command, const std::vector<std::string>& words) {
   link::Reply reply =
       client.request(command + (words.empty() ? "" : " ") + joined(words), command == "reload" ? kReload : kReply);
@@ -321,6 +340,10 @@ int work(const Call& call) {
     return watch(client, call.words.empty() ? 1e9 : numberOf(call.words.front(), "watch"));
   } else if (call.command == "estop") {
     return emergencyStop(client, call.words);
+  } else if (call.command == "group") {
+    return group(client, call.words);
+  } else if (call.command == "push") {
+    return pushRobot(client, call.words, call.seconds > 0 ? call.seconds : 1);
   } else if (call.command == "trajectory") {
     if (call.words.empty()) throw Wrong("trajectory needs a file of points, such as trajectory wave.yaml");
     return runTrajectory(client, call.words.size() > 1 ? call.words[1] : "JointTrajectory", call.words.front());

@@ -41,6 +41,14 @@ void HalSupervisor::receive() {
       stops_.handle(packet.rest());
       continue;
     }
+    if (packet.verb() == "switched") {
+      groups_.decided(packet.rest());
+      continue;
+    }
+    if (packet.verb() == "pushed") {
+      pushes_.answered(packet.rest());
+      continue;
+    }
     const bool was_open = hal_.isOpen();
     try {
       hal_.handle(packet);
@@ -63,6 +71,7 @@ bool HalSupervisor::ended(const std::string& how, bool serving) {
   const std::string sentence = hal_.failure().empty() ? "The HAL " + how + "." : hal_.failure();
   hal_.ended(link::now());
   stops_.forget();
+  pushes_.halEnded();
   board_.edit().hal_pid = 0;
   log_.error(sentence);
   hosts_.killAll();

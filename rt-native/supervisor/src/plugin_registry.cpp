@@ -69,7 +69,7 @@ std::string PluginRegistry::unknown(std::string_view name) const {
          "'. There are: " + link::listed(plugins_, &Plugin::name, "none") + ".";
 }
 
-std::string PluginRegistry::objection(std::uint32_t plugin) const {
+std::string PluginRegistry::objection(std::uint32_t plugin, const PluginGroup& with) const {
   const std::string& name = plugins_[plugin].name;
   switch (state(plugin)) {
     case PluginState::kAbsent:
@@ -83,19 +83,41 @@ std::string PluginRegistry::objection(std::uint32_t plugin) const {
   if (isIo(plugin)) {
     return {};
   }
-  const std::string master = masterObjection(plugin);
-  return master.empty() ? jointObjection(plugin) : master;
+  std::string why = masterObjection(plugin, with);
+  if (why.empty()) why = jointObjection(plugin, with);
+  return why.empty() ? groupObjection(plugin, with) : why;
+}
+
+// Whether it runs, or will, when the group is switched.
+bool PluginRegistry::isBeside(std::uint32_t other, const PluginGroup& with) const {
+  const auto is_in = [&](const std::vector<std::uint32_t>& plugins) {
+    return std::find(plugins.begin(), plugins.end(), other) != plugins.end();
+  };
+  return is_in(with.start) || (isActive(other) && !is_in(with.stop));
+}
+
+// Two that are started together.
+std::string PluginRegistry::groupObjection(std::uint32_t plugin, const PluginGroup& with) const {
+  for (const std::uint32_t other : with.start) {
+    for (const std::uint32_t joint : plugins_[other].joints) {
+      const auto& mine = plugins_[plugin].joints;
+      if (other != plugin && std::find(mine.begin(), mine.end(), joint) != mine.end())
+        return plugins_[plugin].name + " and " + plugins_[other].name +
+               " cannot run together: both command the joint " + config_.robot.joints[joint].name + ".";
+    }
+  }
+  return {};
 }
 
 // The master framework commands the whole robot, or the plugins do; observers are beside both.
-std::string PluginRegistry::masterObjection(std::uint32_t plugin) const {
+std::string PluginRegistry::masterObjection(std::uint32_t plugin, const PluginGroup& with) const {
   const Plugin& wanted = plugins_[plugin];
   if (wanted.role == PluginRole::kObserver) {
     return {};
   }
   std::string others;
   for (std::uint32_t i = 0; i < size(); ++i) {
-    if (i == plugin || !isActive(i) || isIo(i)) {
+    if (i == plugin || !isBeside(i, with) || isIo(i)) {
       continue;
     }
     if (plugins_[i].role == PluginRole::kMaster) {
@@ -113,10 +135,10 @@ std::string PluginRegistry::masterObjection(std::uint32_t plugin) const {
   return {};
 }
 
-std::string PluginRegistry::jointObjection(std::uint32_t plugin) const {
+std::string PluginRegistry::jointObjection(std::uint32_t plugin, const PluginGroup& with) const {
   for (const std::uint32_t joint : plugins_[plugin].joints) {
     const std::uint16_t owner = board_.owner(joint);
-    if (owner != link::kNobody && owner != plugin && owner < size() && isActive(owner)) {
+    if (owner != link::kNobody && owner != plugin && owner < size() && isBeside(owner, with)) {
       return plugins_[plugin].name + " cannot be started while " + plugins_[owner].name +
              " runs: both command the joint " + config_.robot.joints[joint].name + ". Stop " + plugins_[owner].name +
              " first.";
@@ -143,10 +165,23 @@ void PluginRegistry::loaded(std::uint32_t plugin, PluginRole role, std::string_v
 }
 
 void PluginRegistry::starting(std::uint32_t plugin) {
+  handOver(plugin);
+  set(plugin, PluginState::kStarting, {});
+}
+
+void PluginRegistry::preparing(std::uint32_t plugin) { set(plugin, PluginState::kStarting, {}); }
+
+void PluginRegistry::handOver(std::uint32_t plugin) {
   for (const std::uint32_t joint : plugins_[plugin].joints) {
     board_.grant(joint, plugin);
   }
-  set(plugin, PluginState::kStarting, {});
+}
+
+void PluginRegistry::left(std::uint32_t plugin) {
+  if (state(plugin) == PluginState::kRunning)
+    stopping(plugin);
+  else
+    releaseJoints(plugin);
 }
 
 void PluginRegistry::started(std::uint32_t plugin) { set(plugin, PluginState::kRunning, {}); }

@@ -16,12 +16,17 @@ constexpr std::int64_t kReloadPatience = 65 * link::kSecond;  // a plugin has a 
 }  // namespace
 
 void PluginRequests::switchPlugin(std::uint64_t client, std::string_view words) {
-  const auto [name, wanted] = link::splitWord(words);
+  const auto [name, behind] = link::splitWord(words);
+  const auto [wanted, more] = link::splitWord(behind);
   const auto plugin = registry_.find(name);
-  if (!plugin) {
+  if (!more.empty()) {
+    groups_.switchPlugins(client, words);
+  } else if (!plugin) {
     replies_.answer(client, registry_.unknown(name));
   } else if (wanted != "1" && wanted != "0") {
     replies_.answer(client, "switch needs 1 or 0 behind the plugin, not " + quoted(wanted) + ".");
+  } else if (groups_.defers(client, words, *plugin, wanted == "1")) {
+    return;
   } else if (wanted == "1") {
     start(client, *plugin);
   } else {

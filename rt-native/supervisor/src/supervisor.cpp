@@ -20,14 +20,16 @@ Supervisor::Supervisor(const Options& options, const config::RtConfig& config, c
       master_(static_cast<std::uint32_t>(config.robot.joints.size()), config.master),
       ros_process_(config.master == "ROS" && options.communication.enabled), replies_(board_, server),
       pending_([this](std::uint64_t client, const std::string& text) { replies_.reply(client, text); }),
-      stops_(config.hal, log), events_(registry_, pending_, log),
+      stops_(config.hal, log), pushes_(config.robot, hal_process_, replies_, log), events_(registry_, pending_, log),
       hosts_(options, plan, {hal_process_, board_, master_, ros_process_}, events_, replies_, log),
+      groups_(config, plan, registry_, hal_process_, hosts_, board_, stops_, replies_, log),
       joint_events_(config, plan, registry_, hosts_, pending_, stops_, log),
-      hal_(options, config, hal_process_, board_, hosts_, joint_events_, stops_, replies_, log),
-      ros_(options, ros_process_, hosts_, log), plugin_requests_(registry_, hosts_, pending_, board_, stops_, replies_),
+      hal_(options, config, hal_process_, board_, hosts_, joint_events_, stops_, pushes_, groups_, replies_, log),
+      ros_(options, ros_process_, hosts_, log),
+      plugin_requests_(registry_, hosts_, pending_, board_, stops_, groups_, replies_),
       robot_requests_(config.robot, hal_process_, hosts_, board_, stops_, replies_),
       master_requests_(master_, registry_, options.communication.enabled, replies_, log),
-      requests_(plugin_requests_, robot_requests_, master_requests_, replies_, log) {}
+      requests_(plugin_requests_, robot_requests_, master_requests_, pushes_, groups_, replies_, log) {}
 
 // Whatever goes wrong here, the HAL is told to end: it must not be killed with the robot in motion.
 int Supervisor::run() {
@@ -73,6 +75,8 @@ void Supervisor::turn() {
   serving_ = serving_ || hosts_.areSettled();
   const std::int64_t now = link::now();
   joint_events_.turn(now);
+  groups_.turn();
+  for (const auto& [client, words] : groups_.takeDeferred()) plugin_requests_.switchPlugin(client, words);
   if (!ending_) {
     hal_.respawn(now);
     hosts_.respawn(now);
@@ -92,6 +96,7 @@ void Supervisor::serveClients(std::int64_t now_ns) {
                   [this](std::uint64_t client) {
                     master_.forget(client);
                     pending_.forget(client);
+                    pushes_.forget(client);
                   });
   }
   pending_.expire(now_ns);

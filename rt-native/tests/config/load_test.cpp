@@ -59,6 +59,18 @@ TEST(Load, EmergencyStopsHaveNamesAndInputs) {
   EXPECT_EQ(on_bus.at(0).input, 16);
 }
 
+TEST(Load, GroupsOfPluginsAreNamed) {
+  const auto groups = Workspace{}
+                          .load(
+                              "XBotRTPlugins: {plugins: [Walk, Stand]}\nNRTPlugins: {plugins: [Look]}\n"
+                              "switch_groups: {walk: {start: [Walk, Look], stop: [Stand]}, rest: {stop: [Walk]}}\n")
+                          .switch_groups;
+  ASSERT_EQ(groups.size(), 2U);
+  EXPECT_EQ(groups[0].start, (std::vector<std::string>{"Walk", "Look"}));
+  EXPECT_EQ(groups[0].stop, std::vector<std::string>{"Stand"});
+  EXPECT_TRUE(groups[1].start.empty());
+}
+
 TEST(Load, ANegativeInertiaIsKeptAndWarnedOfWhereThatIsWanted) {
   const Workspace at;
   at.write("robot.urdf", replaced(kUrdf, R"(ixx="0.1")", R"(ixx="-0.1")"));

@@ -64,6 +64,18 @@ TEST_F(Mistakes, EmergencyStopsThatAreNone) {
   expect(stops("dummy", "'': {}"), "needs a name of 1 to 63 characters");
 }
 
+TEST_F(Mistakes, SwitchGroupsThatAreNone) {
+  const auto groups = [](const std::string& text) {
+    return "XBotRTPlugins: {plugins: [Homing, Sine], io_plugins: [Talk]}\nswitch_groups: {" + text + "}\n";
+  };
+  expect(groups("walk: {start: [Hominh]}"), "did you mean 'Homing'?");
+  expect(groups("walk: {start: [Talk]}"), "is the IO plugin 'Talk'");
+  expect(groups("walk: {start: [Sine], stop: [Sine]}"), "has the plugin 'Sine' twice");
+  expect(groups("walk: {}"), "switch_groups.walk names no plugin; write {start:");
+  expect(groups("walk: {begin: [Sine]}"), "switch_groups.walk.begin");
+  expect(groups("'a b': {start: [Sine]}"), "expected at most 63 letters");
+}
+
 TEST_F(Mistakes, DeadlinesThatTheKernelWouldRefuse) {
   expect("HALInterface: {sched: deadline, core_id: 0}\n", "core_id cannot be with sched: deadline");
   expect("HALInterface: {sched: deadline, prio: 80}\n", "prio means nothing with sched: deadline");

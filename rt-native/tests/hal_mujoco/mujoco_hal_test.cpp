@@ -66,6 +66,32 @@ TEST_F(Arm, EffortsStayWithinTheLimitsOfTheJoint) {
   EXPECT_NEAR(arm.joint("wrist_roll").effort, 15, 1e-9);
 }
 
+// At the tip as at a joint: what gives way says how strong it is.
+TEST_F(Arm, IsPushedAtAJointAndAtALinkForAsLongAsIsSaid) {
+  const auto push = [&](const std::string& link, std::array<double, 3> force) {
+    link::Push wish{0, 3, {}, link, force};
+    if (link.empty()) wish.joint = static_cast<std::uint32_t>(arm.index("shoulder_yaw"));
+    return arm.hal.push(wish);
+  };
+  arm.reference("shoulder_yaw") = {0, 0, 0, 100, 30, static_cast<std::uint8_t>(link::kPosition | link::kImpedance)};
+  EXPECT_EQ(push("", {5, 0, 0}), "");
+  ASSERT_EQ(arm.run(2900), Status::kOk);
+  EXPECT_NEAR(arm.joint("shoulder_yaw").link_position, 5.0 / 100, 2e-3);
+  ASSERT_EQ(arm.run(3000), Status::kOk);
+  EXPECT_NEAR(arm.joint("shoulder_yaw").link_position, 0, 1e-3);
+  const auto model = ModelInterface::create("KDL", arm.robot);
+  Eigen::VectorXd q(7);
+  for (std::size_t i = 0; i < 7; ++i) q[static_cast<Eigen::Index>(i)] = arm.joints[i].link_position;
+  model->setJointPosition(q);
+  model->update();
+  Eigen::Isometry3d tip;
+  model->getPose(model->findLink("tip"), tip);
+  EXPECT_EQ(push("tip", {0, 10, 0}), "");
+  ASSERT_EQ(arm.run(2900), Status::kOk);
+  EXPECT_NEAR(arm.joint("shoulder_yaw").link_position, 10 * tip.translation().x() / 100, 2e-3);
+  EXPECT_NE(push("nose", {}), "");
+}
+
 TEST_F(Arm, TheWristFeelsTheWeightOfTheTool) {
   ASSERT_EQ(arm.run(1000), Status::kOk);
   const auto& force = arm.force_torques.at(0).force;

@@ -47,6 +47,8 @@ class PluginThreadTest : public ::testing::Test {
     auto frame = std::make_unique<link::FrameData>();
     frame->cycle = ++cycle_;
     frame->sensed_ns = link::now();
+    frame->switched = switched_;
+    frame->joints[0].owner = owner_;
     frame->joints[0].link_position = 0.25;
     writer_->publish(*frame);
     writer_->ring();
@@ -84,6 +86,8 @@ class PluginThreadTest : public ::testing::Test {
   std::unique_ptr<link::StateWriter> writer_;
   std::unique_ptr<link::BoardWriter> board_writer_;
   std::uint64_t cycle_ = 0;
+  std::uint32_t switched_ = 0;  // what the HAL says of groups, and of the first joint
+  std::uint16_t owner_ = link::kNobody;
 };
 
 TEST_F(PluginThreadTest, SendsTheCommandsOfAPluginThatOwnsItsJoint) {
@@ -111,6 +115,48 @@ TEST_F(PluginThreadTest, LeavesOutJointsThatAnotherPluginOwns) {
   plugin->want(true);
   ASSERT_TRUE(cycleUntil([&] { return plugin->state() == PluginState::kRunning && commands().cycle > 3; }));
   EXPECT_EQ(commands().joints[0].mode, 0);
+  thread->detach(*plugin);
+}
+
+// Ready before, and at work in the frame that says so, in which the joint is its own; the board comes later.
+TEST_F(PluginThreadTest, BeginsAndEndsWithItsGroupInTheFrameThatSaysSo) {
+  const auto leaving = makePlugin(4, "{joints: [j1]}");
+  const auto coming = makePlugin(5, "{joints: [j1]}");
+  const auto thread = makeThread();
+  attach(*thread, *leaving);
+  attach(*thread, *coming);
+  board_writer_->grant(0, 4);
+  leaving->want(true);
+  ASSERT_TRUE(cycleUntil([&] { return commands().joints[0].plugin == 4; }));
+  leaving->arm(9, cycle_, false);
+  coming->arm(9, cycle_, true);
+  ASSERT_TRUE(cycleUntil(
+      [&] { return leaving->shown() == PluginState::kStopping && coming->shown() == PluginState::kStarting; }));
+  EXPECT_EQ(leaving->state(), PluginState::kRunning);
+  EXPECT_EQ(commands().joints[0].plugin, 4);
+  switched_ = 9;
+  owner_ = 5;
+  const std::uint64_t before = cycle_;
+  ASSERT_TRUE(cycleUntil([&] { return commands().cycle > before; }));
+  EXPECT_EQ(commands().joints[0].plugin, 5);
+  EXPECT_EQ(leaving->state(), PluginState::kStopped);
+  EXPECT_EQ(coming->state(), PluginState::kRunning);
+  thread->detach(*leaving);
+  thread->detach(*coming);
+}
+
+TEST_F(PluginThreadTest, TakesItsStartBackWhereTheGroupIsNotSwitched) {
+  const auto plugin = makePlugin(5, "{joints: [j1]}");
+  const auto thread = makeThread();
+  attach(*thread, *plugin);
+  board_writer_->grant(0, 5);
+  plugin->arm(9, 0, true);
+  ASSERT_TRUE(cycleUntil([&] { return plugin->shown() == PluginState::kStarting; }));
+  plugin->disarm();
+  ASSERT_TRUE(cycleUntil([&] { return plugin->state() == PluginState::kStopped; }));
+  EXPECT_EQ(commands().joints[0].mode, 0);
+  plugin->want(true);
+  ASSERT_TRUE(cycleUntil([&] { return commands().joints[0].plugin == 5; }));
   thread->detach(*plugin);
 }
 

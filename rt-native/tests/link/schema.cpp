@@ -117,7 +117,8 @@ SchemaStruct forceTorqueState() {
 
 SchemaStruct frameData() {
   using T = FrameData;
-  return make<T>({FIELD(cycle), FIELD(sensed_ns), FIELD(hal_status), FIELD(joints), FIELD(imus), FIELD(force_torques)});
+  return make<T>({FIELD(cycle), FIELD(sensed_ns), FIELD(hal_status), FIELD(switched), FIELD(joints), FIELD(imus),
+                  FIELD(force_torques)});
 }
 
 SchemaStruct stateFrame() {

@@ -51,12 +51,19 @@ class ZeroTest : public ::testing::Test {
     EXPECT_TRUE(reply.ok) << words << ": " << reply.text;
   }
 
+  void switchAll(const std::vector<std::string>& plugins, const std::string& wanted) {
+    std::string words = "switch";
+    for (const std::string& plugin : plugins) words.append(" ").append(plugin).append(wanted);
+    ask(words);
+  }
+
   const link::ThreadStatistics& thread() const { return attachment_.hosts[0]->thread_statistics[0]; }
 
-  // A quarter of all cycles with these plugins; each is asked something meanwhile. Counted by the processes themselves.
+  // A quarter of all cycles with these plugins, which begin and end together; each is asked something meanwhile.
+  // Counted by the processes themselves.
   void cycleWith(
       const std::vector<std::string>& plugins, const std::function<void()>& meanwhile = [] {}) {
-    for (const auto& plugin : plugins) ask("switch " + plugin + " 1");
+    switchAll(plugins, " 1");
     const std::uint64_t wanted = link::relaxedLoad(thread().cycles) + (isLong() ? 60'000 : 10'000) / 4;
     const std::uint64_t faults = link::relaxedLoad(thread().page_faults);
     EXPECT_TRUE(eventually(
@@ -69,7 +76,7 @@ class ZeroTest : public ::testing::Test {
         << "memory is locked, and yet pages are missing";
     EXPECT_EQ(link::relaxedLoad(thread().allocations), 0U) << plugins.front();
     EXPECT_EQ(link::relaxedLoad(attachment_.state->loop.allocations), 0U) << plugins.front();
-    for (const auto& plugin : plugins) ask("switch " + plugin + " 0");
+    switchAll(plugins, " 0");
   }
 
   std::optional<RunningRobot> robot_;

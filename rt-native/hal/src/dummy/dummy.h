@@ -18,6 +18,9 @@ class Dummy : public Hal {
   void senseStops(std::span<StopInput> into) noexcept override { stops_.sense(into); }
   void close() noexcept override {}
   bool press(std::size_t stop, bool pressed) override { return stops_.press(stop, pressed); }
+  std::string push(const link::Push& /*push*/) override {
+    return "The kinematic simulation (dummy) knows no forces, so that nothing would give way: take the HAL mujoco.";
+  }
 
  private:
   std::vector<JointMotion> joints_;

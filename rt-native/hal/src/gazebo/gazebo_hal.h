@@ -23,6 +23,9 @@ class GazeboHal final : public Hal {
   void senseStops(std::span<StopInput> into) noexcept override { stops_.sense(into); }
   void close() noexcept override;
   bool press(std::size_t stop, bool pressed) override { return stops_.press(stop, pressed); }
+  std::string push(const link::Push& /*push*/) override {
+    return "The forces of this simulation are Gazebo's: push the robot there, by its panel 'Apply force and torque'.";
+  }
   std::vector<std::string> news() override;
 
   std::uint64_t dropped() const noexcept { return joints_ ? joints_->dropped() : 0; }

@@ -23,7 +23,8 @@ void copy(const mjtNum* from, std::array<double, N>& to) noexcept {
 void MujocoHal::open(const config::RobotDescription& robot, const config::HalConfig& config, std::int64_t period_ns) {
   mju_user_warning = ignoreWarning;
   settings_ = readMujocoSettings(config, robot, period_ns);
-  world_ = buildMujocoWorld(robot, settings_, static_cast<double>(period_ns) * kNano);
+  period_ = static_cast<double>(period_ns) * kNano;
+  world_ = buildMujocoWorld(robot, settings_, period_);
 }
 
 Status MujocoHal::sense(Measurements& into) noexcept {
@@ -77,8 +78,10 @@ void MujocoHal::command(const MujocoJoint& joint, const Reference& reference) no
 
 Status MujocoHal::move(std::span<const Reference> references) noexcept {
   const std::size_t count = std::min(references.size(), world_.joints.size());
+  pushes_.begin();
   for (int step = 0; step < settings_.steps; ++step) {
     for (std::size_t i = 0; i < count; ++i) command(world_.joints[i], references[i]);
+    pushes_.apply(*world_.model, *world_.data);
     mj_step(world_.model.get(), world_.data.get());
   }
   return isSound() ? Status::kOk : Status::kFault;

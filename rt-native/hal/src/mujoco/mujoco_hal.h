@@ -2,6 +2,7 @@
 #pragma once
 
 #include "../simulated_stops.h"
+#include "mujoco_pushes.h"
 #include "mujoco_world.h"
 #include "robotui/rt/hal/hal.h"
 
@@ -15,6 +16,7 @@ class MujocoHal final : public Hal {
   void senseStops(std::span<StopInput> into) noexcept override { stops_.sense(into); }
   void close() noexcept override;
   bool press(std::size_t stop, bool pressed) override { return stops_.press(stop, pressed); }
+  std::string push(const link::Push& push) override { return pushes_.take(push, world_, period_); }
   std::vector<std::string> news() override;
 
  private:
@@ -24,6 +26,8 @@ class MujocoHal final : public Hal {
   MujocoSettings settings_;
   MujocoWorld world_;
   SimulatedStops stops_;
+  MujocoPushes pushes_;
+  double period_ = 0;  // s
 };
 
 }  // namespace robotui::rt::hal

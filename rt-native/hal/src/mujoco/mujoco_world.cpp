@@ -149,6 +149,12 @@ class WorldBuilder {
       const int drive = mj_name2id(world.model.get(), mjOBJ_ACTUATOR, joint.name.c_str());
       world.joints.push_back({world.model->jnt_qposadr[id], world.model->jnt_dofadr[id], drive, 0, 0});
     }
+    for (const auto& [name, frame] : tree_.links) {
+      const Eigen::Vector3d at = frame.in_body.translation();
+      const int body = mjs_getId(mujoco_.bodies[static_cast<std::size_t>(frame.body)]->element);
+      const bool is_fixed = world.model->body_weldid[body] == 0;
+      world.links.emplace(name, MujocoLink{body, {at.x(), at.y(), at.z()}, is_fixed});
+    }
     const auto address = [&](std::size_t sensor) {
       return world.model->sensor_adr[mjs_getId(sensors_[sensor]->element)];
     };

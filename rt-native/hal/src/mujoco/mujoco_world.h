@@ -1,6 +1,8 @@
 // A robot with drives and sensors on a floor, as MuJoCo sees it.
 #pragma once
 
+#include <array>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -17,13 +19,20 @@ struct MujocoJoint {
   double damping;
 };
 
+struct MujocoLink {
+  int body;
+  std::array<double, 3> at;  // its origin in the frame of the body
+  bool is_fixed;             // to the world
+};
+
 struct MujocoWorld {
   std::vector<std::string> mesh_links;  // whose meshes touch nothing
   MujocoModelPtr model;
   MujocoDataPtr data;
   std::vector<MujocoJoint> joints;  // by index of the robot
-  std::vector<int> imus;            // in sensordata: orientation, angular velocity, acceleration
-  std::vector<int> force_torques;   // in sensordata: force, torque
+  std::map<std::string, MujocoLink> links;
+  std::vector<int> imus;           // in sensordata: orientation, angular velocity, acceleration
+  std::vector<int> force_torques;  // in sensordata: force, torque
 };
 
 // In its posture, at rest, standing on the floor. Throws std::runtime_error, also where it would fall through the

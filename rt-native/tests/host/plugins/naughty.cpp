@@ -31,7 +31,7 @@ class Naughty final : public ControlPlugin {
   }
   RtStatus on_start(double /*time*/) override {
     held_ = joint_ == nullptr ? 0 : joint_->getJointPosition();
-    return RtStatus::ok();
+    return todo_ == "refuse" ? RtStatus::failed("it was told to ", todo_) : RtStatus::ok();
   }
   RtStatus control_loop(double /*time*/, double /*period*/) override {
     if (joint_ != nullptr) joint_->setPositionReference(todo_ == "nan" ? std::nan("") : held_);

@@ -140,6 +140,13 @@ struct PluginConfig {
   Place place;
 };
 
+// Plugins that are started and stopped together, by name.
+struct SwitchGroup {
+  std::string name;
+  std::vector<std::string> start;
+  std::vector<std::string> stop;
+};
+
 struct RtConfig {
   std::filesystem::path file;
   RobotDescription robot;
@@ -151,6 +158,7 @@ struct RtConfig {
   std::vector<PluginConfig> plugins;
   std::vector<PluginConfig> io_plugins;
   std::vector<PluginConfig> nrt_plugins;
+  std::vector<SwitchGroup> switch_groups;
   std::vector<std::string> warnings;  // older names, keys that nobody knows
 };
 

@@ -10,6 +10,7 @@
 #include "robotui/rt/config/config.h"
 #include "robotui/rt/link/abi.h"
 #include "robotui/rt/link/layout.h"
+#include "robotui/rt/link/push.h"
 
 namespace robotui::rt::hal {
 
@@ -85,6 +86,12 @@ class Hal {
   // ordinary thread, between open() and close().
   virtual bool press(std::size_t /*stop*/, bool /*pressed*/) { return false; }
 
+  // A user pushes a robot that is simulated, as a hand would: from now on, for as long as is said. Empty where it is
+  // done, else a sentence why not. Called as press().
+  virtual std::string push(const link::Push& /*push*/) {
+    return "This kind of HAL cannot push the robot, since its forces are not those of a simulation: push it by hand.";
+  }
+
   // What a user should know of the hardware since the last call: sentences. Called some times a second between open()
   // and close(), on the ordinary thread, so it may block and allocate.
   virtual std::vector<std::string> news() { return {}; }
@@ -105,12 +112,13 @@ class Hal {
 
 // What the library of a HAL of one's own exports, by ROBOTUI_RT_HAL(Class): its `lib_file` stands in the configuration.
 // A library of another number, or that was built another way, is refused.
-inline constexpr std::uint32_t kHalAbi = 7;
+inline constexpr std::uint32_t kHalAbi = 8;
 
 // Of this source file: internal linkage, so that no other file's list takes its place.
 constexpr link::AbiFact kHalFacts[] = {
     ROBOTUI_RT_TOOLCHAIN_FACTS,
     ROBOTUI_RT_SIZE_OF(link::JointState),
+    ROBOTUI_RT_SIZE_OF(link::Push),
     ROBOTUI_RT_SIZE_OF(config::RobotDescription),
     ROBOTUI_RT_SIZE_OF(config::HalConfig),
     {},

@@ -54,6 +54,7 @@ class Host {
   bool obey(const link::Packet& packet);
   void reload(Hosted& hosted);
   void command(std::string_view words);
+  void switchWithOthers(std::string_view words, bool arm);
   void want(Hosted& hosted, bool running);
   void poll();
   void pollState(Hosted& hosted);

@@ -61,6 +61,13 @@ class HostedPlugin {
   // would not be seen.
   bool retire() noexcept;
   void want(bool running) noexcept { wanted_.store(running, std::memory_order_release); }
+  // It is started or stopped together with others, in the cycle in which the HAL says that the group of this number is
+  // switched; from the cycle `from` on a plugin that is to be started gets itself ready by its on_start.
+  void arm(std::uint32_t group, std::uint64_t from, bool start) noexcept;
+  // The group is not switched: all is as before.
+  void disarm() noexcept { armed_.store(0, std::memory_order_release); }
+  // As all processes see it: ready to be started is kStarting, and ready to be stopped is kStopping.
+  link::PluginState shown() const noexcept;
   bool order(std::uint32_t id, std::string_view words) noexcept;
   bool takeAnswer(Answer& answer) noexcept { return answers_.pop(answer); }
   bool takeStatus(Line& status) noexcept { return statuses_.pop(status); }
@@ -81,6 +88,9 @@ class HostedPlugin {
   void settleRole(bool has_claimed);
   void init(const config::PluginConfig& config, double period, const PluginEnvironment& environment);
   void startOrStop(double time) noexcept;
+  void stop(double time) noexcept;
+  void followGroup(double time) noexcept;
+  void leaveGroup(double time) noexcept;
   void obey() noexcept;
   void report() noexcept;
 
@@ -94,6 +104,10 @@ class HostedPlugin {
   PluginRole role_ = PluginRole::kControl;
 
   std::atomic<bool> wanted_{false};
+  std::atomic<std::uint32_t> armed_{0};  // the group that it is switched with; 0 is none
+  std::atomic<std::uint64_t> ready_from_{0};
+  std::atomic<bool> armed_to_start_{false};
+  std::uint32_t ready_for_ = 0;  // the group for which its on_start was called
   std::atomic<link::PluginState> state_{link::PluginState::kStopped};
   Line failure_;
   Line reported_;

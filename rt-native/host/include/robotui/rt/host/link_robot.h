@@ -15,6 +15,7 @@ class LinkRobot final : public RobotInterface {
   // Senses from `frame`, until it is to follow another one.
   LinkRobot(std::shared_ptr<const config::RobotDescription> description, const link::FrameData& frame);
   void follow(const link::FrameData& frame) noexcept { frame_ = &frame; }
+  const link::FrameData& frame() const noexcept { return *frame_; }
 
   bool sense() noexcept override;
 

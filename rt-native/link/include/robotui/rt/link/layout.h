@@ -9,7 +9,8 @@
 
 namespace robotui::rt::link {
 
-// Rises with every change of what follows; both sides refuse another one.
+// Rises with every change of what follows, but for a field in bytes that were zero before; both sides refuse another
+// one.
 inline constexpr std::uint32_t kLayoutVersion = 2;
 inline constexpr std::uint32_t kMagic = 0x54524952;  // "RIRT"
 
@@ -101,7 +102,7 @@ struct FrameData {
   std::uint64_t cycle;  // from 1
   std::int64_t sensed_ns;
   std::uint32_t hal_status;  // of hal::Status
-  std::uint32_t padding;
+  std::uint32_t switched;    // the last group of plugins that was switched, from this cycle on or before; 0 is none
   std::array<JointState, kMaxJoints> joints;
   std::array<ImuState, kMaxImus> imus;
   std::array<ForceTorqueState, kMaxForceTorques> force_torques;

@@ -6,20 +6,23 @@
 #include "robotui/rt/config/config.h"
 #include "robotui/rt/supervisor/client_replies.h"
 #include "robotui/rt/supervisor/emergency_stops.h"
+#include "robotui/rt/supervisor/group_requests.h"
 #include "robotui/rt/supervisor/hal_process.h"
 #include "robotui/rt/supervisor/host_supervisor.h"
 #include "robotui/rt/supervisor/joint_events.h"
 #include "robotui/rt/supervisor/log_file.h"
 #include "robotui/rt/supervisor/options.h"
+#include "robotui/rt/supervisor/push_requests.h"
 
 namespace robotui::rt::supervisor {
 
 class HalSupervisor {
  public:
   HalSupervisor(const Options& options, const config::RtConfig& config, HalProcess& hal, BoardPublisher& board,
-                HostSupervisor& hosts, JointEvents& joints, EmergencyStops& stops, ClientReplies& replies, LogFile& log)
+                HostSupervisor& hosts, JointEvents& joints, EmergencyStops& stops, PushRequests& pushes,
+                GroupRequests& groups, ClientReplies& replies, LogFile& log)
       : options_(options), config_(config), hal_(hal), board_(board), hosts_(hosts), joints_(joints), stops_(stops),
-        replies_(replies), log_(log) {}
+        pushes_(pushes), groups_(groups), replies_(replies), log_(log) {}
 
   // Throws std::runtime_error.
   void spawn();
@@ -42,6 +45,8 @@ class HalSupervisor {
   HostSupervisor& hosts_;
   JointEvents& joints_;
   EmergencyStops& stops_;
+  PushRequests& pushes_;
+  GroupRequests& groups_;
   ClientReplies& replies_;
   LogFile& log_;
 };

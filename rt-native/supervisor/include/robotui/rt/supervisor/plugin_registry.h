@@ -12,6 +12,12 @@
 
 namespace robotui::rt::supervisor {
 
+// Plugins that are started and stopped together.
+struct PluginGroup {
+  std::vector<std::uint32_t> start;
+  std::vector<std::uint32_t> stop;
+};
+
 class PluginRegistry {
  public:
   PluginRegistry(const config::RtConfig& config, const config::Plan& plan, BoardPublisher& board);
@@ -29,14 +35,22 @@ class PluginRegistry {
   std::vector<std::uint32_t> ofHost(std::uint32_t host) const;
   std::string unknown(std::string_view name) const;  // the sentence for it
 
-  // Empty, or a sentence why it may not be started now: its own state, a joint that another running plugin owns, or the
-  // master.
-  std::string objection(std::uint32_t plugin) const;
+  const std::vector<std::uint32_t>& jointsOf(std::uint32_t plugin) const { return plugins_[plugin].joints; }
+
+  // Empty, or a sentence why it may not be started now, with the others of a group: its own state, a joint that another
+  // plugin owns, or the master.
+  std::string objection(std::uint32_t plugin, const PluginGroup& with = {}) const;
 
   // What its host said: its role, and the joints that it claims. An unknown joint is left out: the host checked them.
   void loaded(std::uint32_t plugin, link::PluginRole role, std::string_view joints);
   // Gives it its joints.
   void starting(std::uint32_t plugin);
+  // It is to be started with others, and gets its joints when they are switched.
+  void preparing(std::uint32_t plugin);
+  // The HAL leads its joints by it already: the board follows.
+  void handOver(std::uint32_t plugin);
+  // The HAL has taken from it already what it owned.
+  void left(std::uint32_t plugin);
   void started(std::uint32_t plugin);
   // Its joints hold from now on, whatever its process still does.
   void stopping(std::uint32_t plugin);
@@ -60,8 +74,10 @@ class PluginRegistry {
     std::vector<std::uint32_t> joints;
   };
 
-  std::string masterObjection(std::uint32_t plugin) const;
-  std::string jointObjection(std::uint32_t plugin) const;
+  bool isBeside(std::uint32_t other, const PluginGroup& with) const;
+  std::string masterObjection(std::uint32_t plugin, const PluginGroup& with) const;
+  std::string jointObjection(std::uint32_t plugin, const PluginGroup& with) const;
+  std::string groupObjection(std::uint32_t plugin, const PluginGroup& with) const;
   void releaseJoints(std::uint32_t plugin);
   void set(std::uint32_t plugin, link::PluginState state, std::string_view error);
 

@@ -6,6 +6,7 @@
 
 #include "robotui/rt/supervisor/client_replies.h"
 #include "robotui/rt/supervisor/emergency_stops.h"
+#include "robotui/rt/supervisor/group_requests.h"
 #include "robotui/rt/supervisor/host_supervisor.h"
 #include "robotui/rt/supervisor/pending_requests.h"
 #include "robotui/rt/supervisor/plugin_registry.h"
@@ -15,10 +16,12 @@ namespace robotui::rt::supervisor {
 class PluginRequests {
  public:
   PluginRequests(PluginRegistry& registry, HostSupervisor& hosts, PendingRequests& pending, BoardPublisher& board,
-                 const EmergencyStops& stops, ClientReplies& replies)
-      : registry_(registry), hosts_(hosts), pending_(pending), board_(board), stops_(stops), replies_(replies) {}
+                 const EmergencyStops& stops, GroupRequests& groups, ClientReplies& replies)
+      : registry_(registry), hosts_(hosts), pending_(pending), board_(board), stops_(stops), groups_(groups),
+        replies_(replies) {}
 
-  // `words` are those behind the verb. What the host has yet to do is answered later.
+  // `words` are those behind the verb. What the host has yet to do is answered later. "P 1|0", or several of it, which
+  // are switched together.
   void switchPlugin(std::uint64_t client, std::string_view words);
   void reload(std::uint64_t client, std::string_view words);
   void command(std::uint64_t client, std::string_view words);
@@ -36,6 +39,7 @@ class PluginRequests {
   PendingRequests& pending_;
   BoardPublisher& board_;
   const EmergencyStops& stops_;
+  GroupRequests& groups_;
   ClientReplies& replies_;
   std::uint32_t next_command_ = 1;
 };

@@ -10,6 +10,7 @@
 #include "robotui/rt/supervisor/client_requests.h"
 #include "robotui/rt/supervisor/control_server.h"
 #include "robotui/rt/supervisor/emergency_stops.h"
+#include "robotui/rt/supervisor/group_requests.h"
 #include "robotui/rt/supervisor/hal_supervisor.h"
 #include "robotui/rt/supervisor/host_supervisor.h"
 #include "robotui/rt/supervisor/joint_events.h"
@@ -53,8 +54,10 @@ class Supervisor {
   EmergencyStops stops_;
 
   // What acts on it, each on a subject of its own.
+  PushRequests pushes_;
   PluginEvents events_;
   HostSupervisor hosts_;
+  GroupRequests groups_;
   JointEvents joint_events_;
   HalSupervisor hal_;
   RosSupervisor ros_;

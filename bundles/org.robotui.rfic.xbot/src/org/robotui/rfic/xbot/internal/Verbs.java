@@ -2,6 +2,7 @@ package org.robotui.rfic.xbot.internal;
 
 import java.io.IOException;
 import java.time.Duration;
+import java.util.regex.Pattern;
 import org.robotui.api.port.CallException;
 import org.robotui.api.port.CallHandler;
 import org.robotui.api.port.PluginReply;
@@ -11,6 +12,8 @@ import org.robotui.xbot.RtClient;
 
 /** Asks the supervisor what users ask of plugins and drives. */
 final class Verbs implements CallHandler<PluginRequest, PluginReply> {
+  private static final Pattern PAIRS = Pattern.compile("\\S+ [01]( \\S+ [01])*");
+
   private final RtClient client;
 
   Verbs(RtClient client) {
@@ -39,12 +42,20 @@ final class Verbs implements CallHandler<PluginRequest, PluginReply> {
     return switch (request.verb()) {
       case START -> "switch " + request.plugin() + " 1";
       case STOP -> "switch " + request.plugin() + " 0";
+      case SWITCH_TOGETHER -> "switch " + pairs(request.words());
       case RELOAD -> "reload " + request.plugin();
       case COMMAND -> "command " + request.plugin() + " " + request.words();
       case ENABLE_DRIVES -> "enable";
       case DISABLE_DRIVES -> "disable";
       case RECOVER_DRIVES -> "recover";
     };
+  }
+
+  private static String pairs(String words) throws CallException {
+    if (!PAIRS.matcher(words).matches()) {
+      throw new CallException("'" + words + "' are no names of plugins with 1 or 0 behind each");
+    }
+    return words;
   }
 
   private static boolean isName(String plugin) {
@@ -54,7 +65,7 @@ final class Verbs implements CallHandler<PluginRequest, PluginReply> {
   private static boolean isOfDrives(PluginRequest.Verb verb) {
     return switch (verb) {
       case ENABLE_DRIVES, DISABLE_DRIVES, RECOVER_DRIVES -> true;
-      case START, STOP, RELOAD, COMMAND -> false;
+      case START, STOP, SWITCH_TOGETHER, RELOAD, COMMAND -> false;
     };
   }
 }

@@ -103,6 +103,7 @@ public final class Verbs {
     return switch (request.verb()) {
       case START -> "Starting " + request.plugin();
       case STOP -> "Stopping " + request.plugin();
+      case SWITCH_TOGETHER -> "Switching several plugins together";
       case RELOAD -> "Reloading " + request.plugin();
       case COMMAND -> "Sending \u201c" + request.words() + "\u201d";
       case ENABLE_DRIVES -> "Enabling the drives";
@@ -115,6 +116,7 @@ public final class Verbs {
     return switch (request.verb()) {
       case START -> "Started";
       case STOP -> "Stopped";
+      case SWITCH_TOGETHER -> "Switched together";
       case RELOAD -> "Reloaded";
       case COMMAND -> "\u201c" + request.words() + "\u201d was taken";
       case ENABLE_DRIVES -> "The hardware was asked to enable the drives";
@@ -127,6 +129,7 @@ public final class Verbs {
     return switch (request.verb()) {
       case START -> "Not started";
       case STOP -> "Not stopped";
+      case SWITCH_TOGETHER -> "Not switched together";
       case RELOAD -> "Not reloaded";
       case COMMAND -> "\u201c" + request.words() + "\u201d was not taken";
       case ENABLE_DRIVES -> "Drives not enabled";

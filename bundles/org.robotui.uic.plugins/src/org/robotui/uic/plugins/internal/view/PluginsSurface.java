@@ -3,6 +3,7 @@ package org.robotui.uic.plugins.internal.view;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
@@ -59,8 +60,8 @@ public final class PluginsSurface implements ViewSurface {
     Composite left = Boxes.panel(split.parts(), context.theme(), 1);
     look = new ListLook(context.theme());
     headings = new Headings(left, context.theme(), () -> look.places(width()));
-    list = new RowList<>(left, context.theme(), look).named("Threads and plugins").onSelect(rows -> refresh())
-        .menu(this::menu);
+    list = new RowList<>(left, context.theme(), look).named("Threads and plugins").several()
+        .onSelect(rows -> refresh()).menu(this::menu);
     list.control().setLayoutData(Boxes.fill());
     detail = new PluginDetailPane(split.parts(), context.theme(), model.verbs(), this::again, this::reset);
     list.onOpen(row -> detail.command().focus());
@@ -166,8 +167,22 @@ public final class PluginsSurface implements ViewSurface {
     again();
   }
 
-  private List<ViewAction> menu(List<Line> lines) {
+  /** What runs stops, and what does not starts, in the same cycle of the control. */
+  private void together(List<PluginLine> lines) {
+    String words = lines.stream().map(line -> line.name() + (line.isOn() ? " 0" : " 1"))
+        .collect(Collectors.joining(" "));
+    model.verbs().ask(lines.getFirst().name(), Verb.SWITCH_TOGETHER, words);
+    again();
+  }
+
+  List<ViewAction> menu(List<Line> lines) {
     List<ViewAction> actions = new ArrayList<>();
+    List<PluginLine> switched = lines.stream().filter(PluginLine.class::isInstance).map(PluginLine.class::cast)
+        .filter(PluginLine::isSwitchable).toList();
+    if (switched.size() > 1 && model.look().usable()) {
+      actions.add(new ViewAction("together", "Switch " + switched.size() + " together", Icon.PLAY.id(),
+          Optional.empty(), () -> together(switched)));
+    }
     lines.stream().findFirst().ifPresent(line -> {
       if (line instanceof PluginLine plugin && model.look().usable()) {
         verbs(plugin, actions);

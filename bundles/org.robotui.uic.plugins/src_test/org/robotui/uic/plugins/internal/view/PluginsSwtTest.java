@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.time.Duration;
+import java.util.List;
+import java.util.Set;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.graphics.Rectangle;
 import org.eclipse.swt.layout.FillLayout;
@@ -31,6 +33,7 @@ import org.robotui.testkit.TestDisplay;
 import org.robotui.ui.Theme;
 import org.robotui.ui.Themes;
 import org.robotui.ui.UiContext;
+import org.robotui.ui.ViewAction;
 import org.robotui.uic.plugins.internal.Controls;
 import org.robotui.uic.plugins.internal.model.PluginsModel;
 
@@ -97,6 +100,20 @@ class PluginsSwtTest {
     assertEquals(new PluginRequest("sine", Verb.START, ""), caller.made().getLast().request());
     press("plugin homing", 20);
     assertEquals(new PluginRequest("homing", Verb.STOP, ""), caller.made().getLast().request());
+  }
+
+  /** One that cannot be switched is left out. */
+  @Test
+  void severalThatAreSelectedAreSwitchedTogether() {
+    surface.list().selectAll(List.of("plugin sine", "plugin homing", "plugin cartesian", "loop HAL/hal"));
+    ViewAction together = surface.menu(surface.list().selected()).getFirst();
+    assertEquals("Switch 2 together", together.label());
+    together.run().run();
+    PluginRequest request = caller.made().getLast().request();
+    assertEquals(Verb.SWITCH_TOGETHER, request.verb());
+    assertTrue(Set.of("sine 1 homing 0", "homing 0 sine 1").contains(request.words()), request.words());
+    surface.list().select("plugin sine");
+    assertFalse(surface.menu(surface.list().selected()).getFirst().label().contains("together"));
   }
 
   @Test
