@@ -38,6 +38,7 @@ bool CartesianTasks::init_control_plugin(Setup& setup) {
   first_posture_ = parameters.posture;
   posture_speed_ = parameters.posture_speed;
   setup.claim(namesOf(parameters.joints));
+  openReport(setup);
   status_.assign("stopped");
   return true;
 }
@@ -66,6 +67,7 @@ RtStatus CartesianTasks::control_loop(double /*time*/, double period) noexcept {
   joints_->move(hierarchy_->velocities(), period, *model_);
   update();
   say();
+  report();
   return RtStatus::ok();
 }
 

@@ -9,7 +9,9 @@
 #include "cartesian_task.h"
 #include "moved_joints.h"
 #include "robotui/rt/link/fixed_text.h"
+#include "robotui/rt/plugin/channel.h"
 #include "robotui/rt/plugin/control_plugin.h"
+#include "robotui/rt/plugin/task_report.h"
 #include "task_parameters.h"
 
 namespace robotui::rt::plugins {
@@ -42,6 +44,8 @@ class CartesianTasks final : public ControlPlugin {
   void update() noexcept;
   void say() noexcept;
   void sayOf(const Task& task) noexcept;
+  void openReport(Setup& setup);
+  void report() noexcept;
   Task* findTask(std::string_view name) noexcept;
   bool obey(std::string_view verb, Task& task, std::string_view words) noexcept;
   bool setPosture(std::string_view name) noexcept;
@@ -59,6 +63,8 @@ class CartesianTasks final : public ControlPlugin {
   double posture_speed_ = 0.2;
   const config::RobotDescription* robot_ = nullptr;
   link::FixedText<240> status_;
+  TaskReport report_{};
+  ChannelWriter<TaskReport> reports_;
 };
 
 }  // namespace robotui::rt::plugins

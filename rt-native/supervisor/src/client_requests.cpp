@@ -33,6 +33,8 @@ void ClientRequests::dispatch(std::uint64_t client, const link::Packet& packet) 
     plugins_.status(client, rest);
   } else if (verb == "trajectory") {
     plugins_.trajectory(client, rest);
+  } else if (verb == "tasks") {
+    plugins_.tasks(client, rest);
   } else if (verb == "take") {
     master_.take(client, rest);
   } else if (verb == "release") {
@@ -56,7 +58,7 @@ void ClientRequests::dispatch(std::uint64_t client, const link::Packet& packet) 
   } else {
     replies_.answer(client,
                     "The request " + quoted(verb) +
-                        " is not known. There are: attach, switch, reload, command, status, trajectory, take, "
+                        " is not known. There are: attach, switch, reload, command, status, trajectory, tasks, take, "
                         "release, follower, describe, drives, recover, enable, disable, stops, press, reference.");
   }
 }
