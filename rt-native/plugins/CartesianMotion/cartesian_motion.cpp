@@ -77,9 +77,7 @@ void CartesianMotion::openReport(Setup& setup, const KinematicChain& chain) {
 }
 
 void CartesianMotion::report() noexcept {
-  report_.tasks[0].phase = isThere()              ? TaskPhase::kThere
-                           : progress_.isStuck() ? TaskPhase::kStuck
-                                                 : TaskPhase::kMoving;
+  report_.tasks[0].phase = isThere() ? TaskPhase::kThere : progress_.isStuck() ? TaskPhase::kStuck : TaskPhase::kMoving;
   reports_.write(report_);
 }
 

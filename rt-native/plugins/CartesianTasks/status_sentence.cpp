@@ -37,6 +37,14 @@ void CartesianTasks::say() noexcept {
     sayOf(*late);
   else
     status_.assign(is_led ? "moving with a velocity" : "all tasks are at their targets");
+  if (distances_) sayNearest();
+}
+
+void CartesianTasks::sayNearest() noexcept {
+  const PartDistances::Pair& nearest = distances_->nearest();
+  Number number;
+  status_.append("; nearest are ").append(distances_->linkA(nearest)).append(" and ");
+  status_.append(distances_->linkB(nearest)).append(" with ").append(number(nearest.distance)).append(" m");
 }
 
 void CartesianTasks::sayOf(const Task& task) noexcept {
@@ -52,6 +60,10 @@ void CartesianTasks::sayOf(const Task& task) noexcept {
     case Hindrance::kLimit: status_.append(joints_->joint(task.which).name()).append(" is at its limit"); break;
     case Hindrance::kNone:
     case Hindrance::kSingular: status_.append("it is at the end of its reach, or in a singular posture"); break;
+    case Hindrance::kDistance:
+      status_.append(distances_->linkA(*task.pair)).append(" and ").append(distances_->linkB(*task.pair));
+      status_.append(" keep their distance");
+      break;
     case Hindrance::kPriority: status_.append("a task of higher priority needs the joints"); break;
   }
 }
@@ -78,7 +90,7 @@ void CartesianTasks::report() noexcept {
   for (std::size_t i = 0; i < report_.count; ++i) {
     const CartesianTask& task = tasks_[i].does;
     const bool is_there = task.isThere() && !task.isLedByVelocity();
-    report_.tasks[i].phase = !task.isActive()  ? TaskPhase::kDisabled
+    report_.tasks[i].phase = !task.isActive() ? TaskPhase::kDisabled
                              : task.isStuck() ? TaskPhase::kStuck
                              : is_there       ? TaskPhase::kThere
                                               : TaskPhase::kMoving;

@@ -18,7 +18,8 @@ std::string_view wordOf(TaskPhase phase) noexcept {
 // Another process wrote it: it stays one field.
 std::string fieldOf(const TaskReport::Text& text) {
   std::string field(view(text));
-  std::replace_if(field.begin(), field.end(), [](char c) { return c == '\n' || c == '\t'; }, ' ');
+  std::replace_if(
+      field.begin(), field.end(), [](char c) { return c == '\n' || c == '\t'; }, ' ');
   return field;
 }
 

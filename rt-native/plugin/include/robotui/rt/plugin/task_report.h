@@ -22,8 +22,8 @@ enum class TaskPhase : std::uint32_t {
 
 struct TaskReport {
   static constexpr Schema kSchema{"robotui/tasks", 1};
-  static constexpr std::size_t kMostTasks = 12;             // of more the first are said
-  using Text = std::array<char, link::kNameLength>;         // zero terminated
+  static constexpr std::size_t kMostTasks = 12;      // of more the first are said
+  using Text = std::array<char, link::kNameLength>;  // zero terminated
   using JointBits = std::array<std::uint64_t, link::kMaxJoints / 64>;
 
   struct Task {

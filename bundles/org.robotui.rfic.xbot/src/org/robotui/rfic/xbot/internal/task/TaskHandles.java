@@ -72,6 +72,7 @@ public final class TaskHandles implements CommandSink<MarkerFeedback>, AutoClose
     this.model = model;
     this.link = link;
     this.site = site;
+    site.plan(MotionPlan.none(model.name()));
     worker = threads.newThread(this::work);
     worker.start();
   }
