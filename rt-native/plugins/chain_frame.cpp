@@ -22,8 +22,10 @@ bool ChainFrame::find(Setup& setup, const config::Reader& params, const ModelInt
   }
   KinematicChain* chain = named ? setup.robot().findChain(named->text()) : &chains.front();
   if (chain == nullptr) named->fail("is no chain of the SRDF");
-  base_ = model.findLink(chain->baseLink());
-  tip_ = model.findLink(chain->tipLink());
+  base_name_ = chain->baseLink();
+  tip_name_ = chain->tipLink();
+  base_ = model.findLink(base_name_);
+  tip_ = model.findLink(tip_name_);
   for (int i = 0; i < chain->size(); ++i) {
     joints_.push_back(&chain->joint(i));
     in_model_.push_back(indexIn(model, chain->joint(i).name()));

@@ -1,6 +1,7 @@
 // The chain whose tip a Cartesian plugin leads, in the frame of the chain's base link.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include <Eigen/Dense>
@@ -21,12 +22,16 @@ class ChainFrame {
 
   const std::vector<Joint*>& joints() const noexcept { return joints_; }
   int inModel(std::size_t joint) const noexcept { return in_model_[joint]; }
+  const std::string& baseLink() const noexcept { return base_name_; }
+  const std::string& tipLink() const noexcept { return tip_name_; }
 
   // Both as the model is now; the columns are the joints of the chain.
   Eigen::Isometry3d tip(const ModelInterface& model) const noexcept;
   const Jacobian& jacobian(const ModelInterface& model) noexcept;
 
  private:
+  std::string base_name_;
+  std::string tip_name_;
   LinkId base_;
   LinkId tip_;
   std::vector<Joint*> joints_;

@@ -33,6 +33,8 @@ class Groups {
     readForceTorques();
     for (const Element* state : xml_.children(xml_.root(), "group_state"))
       robot_.postures.push_back(readPosture(*state));
+    for (const Element* pair : xml_.children(xml_.root(), "disable_collisions"))
+      robot_.free_to_touch.emplace_back(xml_.attribute(*pair, "link1"), xml_.attribute(*pair, "link2"));
   }
 
  private:

@@ -34,7 +34,29 @@ bool CartesianMotion::init_control_plugin(Setup& setup) {
   if (!chain_.find(setup, params, *model_)) return false;
   for (std::size_t i = 0; i < chain_.joints().size(); ++i)
     joints_.push_back({chain_.joints()[i], chain_.inModel(i), 0, 0, false});
+  openReport(setup);
   return true;
+}
+
+// One task without a name: its commands name none.
+void CartesianMotion::openReport(Setup& setup) {
+  for (const Moved& moved : joints_) addJoint(report_, moved.joint->index());
+  report_.count = 1;
+  TaskReport::Task& said = report_.tasks[0];
+  assign(said.link, chain_.tipLink());
+  assign(said.base, chain_.baseLink());
+  said.linear = speeds_.linear;
+  said.angular = speeds_.angular;
+  said.priority = 1;
+  said.mask = 0b111111;
+  said.phase = TaskPhase::kThere;
+  reports_ = ChannelWriter<TaskReport>(setup.channels(), taskChannel(setup.name()), kTaskDepth);
+  reports_.write(report_);
+}
+
+void CartesianMotion::report() noexcept {
+  report_.tasks[0].phase = isThere() ? TaskPhase::kThere : progress_.isStuck() ? TaskPhase::kStuck : TaskPhase::kMoving;
+  reports_.write(report_);
 }
 
 RtStatus CartesianMotion::on_start(double /*time*/) noexcept {
@@ -113,11 +135,16 @@ RtStatus CartesianMotion::control_loop(double /*time*/, double period) noexcept 
   at_ = chain_.tip(*model_);
   progress_.look(poseDifference(at_, path_.target()), speeds_, period);
   status_ = statusNow(held);
+  report();
   return RtStatus::ok();
 }
 
+bool CartesianMotion::isThere() const noexcept {
+  return poseDifference(at_, path_.target()).cwiseAbs().maxCoeff() < kThere;
+}
+
 std::string_view CartesianMotion::statusNow(bool is_held) const noexcept {
-  if (poseDifference(at_, path_.target()).cwiseAbs().maxCoeff() < kThere) return "at the target";
+  if (isThere()) return "at the target";
   if (!progress_.isStuck()) return is_held ? "a joint is at its limit" : "moving";
   return is_held ? "it cannot go on: a joint is at its limit"
                  : "it cannot go on: it is at the end of its reach, or in a singular posture";

@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "chain_frame.h"
+#include "robotui/rt/plugin/channel.h"
 #include "robotui/rt/plugin/control_plugin.h"
+#include "robotui/rt/plugin/task_report.h"
 #include "straight_path.h"
 #include "target_progress.h"
 
@@ -33,11 +35,14 @@ class CartesianMotion final : public ControlPlugin {
     bool held;  // at its limit, in this cycle
   };
 
+  void openReport(Setup& setup);
+  void report() noexcept;
   void updateModel() noexcept;
   bool solve(const Twist& twist) noexcept;
   bool holdAtLimits(double period) noexcept;
   void limitVelocities() noexcept;
   void integrate(double period) noexcept;
+  bool isThere() const noexcept;
   std::string_view statusNow(bool is_held) const noexcept;
 
   std::unique_ptr<ModelInterface> model_;
@@ -52,6 +57,8 @@ class CartesianMotion final : public ControlPlugin {
   TargetProgress progress_;
   Eigen::Isometry3d at_ = Eigen::Isometry3d::Identity();
   std::string_view status_ = "stopped";
+  TaskReport report_{};
+  ChannelWriter<TaskReport> reports_;
 };
 
 }  // namespace robotui::rt::plugins

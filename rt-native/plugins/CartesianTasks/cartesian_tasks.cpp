@@ -11,7 +11,16 @@ namespace {
 
 constexpr double kPostureGain = 2;  // 1/s
 constexpr double kHindered = 0.2;   // part of its velocity that a task lacks when something is in its way
+constexpr double kHeldBack = 1e-4;  // m/s by which a bounded approach is at its bound
 constexpr double kSlow = 2e-3;      // m/s or rad/s that are not worth to be told
+
+void warnOfMeshes(Setup& setup, const PartDistances& distances) {
+  const auto& links = distances.meshLinks();
+  if (links.empty()) return;
+  const std::string line = "The distances of " + std::to_string(links.size()) + " links with meshes (" + links.front() +
+                           (links.size() > 1 ? ", ..." : "") + ") are not kept: give them `capsules`.";
+  setup.log().warn(line);
+}
 
 }  // namespace
 
@@ -30,7 +39,12 @@ bool CartesianTasks::init_control_plugin(Setup& setup) {
   }
   most_rows = std::max(most_rows, rows);
   bounds_.emplace(joints);
-  hierarchy_.emplace(joints, most_rows);
+  if (parameters.distance) {
+    distances_.emplace(*robot_, std::move(*parameters.distance), joints_->places());
+    approach_.emplace(PartDistances::kMostRows, joints);
+    warnOfMeshes(setup, *distances_);
+  }
+  hierarchy_.emplace(joints, most_rows, PartDistances::kMostRows);
   rows_.setZero(most_rows, joints);
   wanted_.setZero(most_rows);
   each_joint_.setIdentity(joints, joints);
@@ -38,6 +52,7 @@ bool CartesianTasks::init_control_plugin(Setup& setup) {
   first_posture_ = parameters.posture;
   posture_speed_ = parameters.posture_speed;
   setup.claim(namesOf(parameters.joints));
+  openReport(setup);
   status_.assign("stopped");
   return true;
 }
@@ -56,16 +71,23 @@ RtStatus CartesianTasks::on_start(double /*time*/) noexcept {
 
 void CartesianTasks::update() noexcept {
   for (Task& task : tasks_) task.does.update(*model_);
+  if (distances_) distances_->update(joints_->all());
+}
+
+void CartesianTasks::begin(double period) noexcept {
+  joints_->bound(*bounds_, period);
+  if (distances_) distances_->put(*approach_);
+  hierarchy_->begin(*bounds_, approach_ ? &*approach_ : nullptr);
 }
 
 RtStatus CartesianTasks::control_loop(double /*time*/, double period) noexcept {
-  joints_->bound(*bounds_, period);
-  hierarchy_->begin(*bounds_);
+  begin(period);
   solveTasks(period);
   solvePosture();
   joints_->move(hierarchy_->velocities(), period, *model_);
   update();
   say();
+  report();
   return RtStatus::ok();
 }
 
@@ -105,6 +127,11 @@ void CartesianTasks::findHindrance(Task& task, const LevelOutcome& outcome, bool
     length += wanted_[row] * wanted_[row];
   }
   if (std::sqrt(lack) < kSlow + kHindered * std::sqrt(length)) return;
+  if (const PartDistances::Pair* pair = findPair(task)) {
+    task.hindrance = Hindrance::kDistance;
+    task.pair = pair;
+    return;
+  }
   for (Eigen::Index i = 0; i < joints_->size(); ++i) {
     if (rows_.col(i).segment(task.row, task.does.rows()).norm() < kSlow) continue;
     if (!joints_->isAtLimit(i, velocities[i], *bounds_)) continue;
@@ -116,6 +143,21 @@ void CartesianTasks::findHindrance(Task& task, const LevelOutcome& outcome, bool
     task.hindrance = Hindrance::kPriority;
   else if (outcome.is_lost || outcome.is_damped)
     task.hindrance = Hindrance::kSingular;
+}
+
+// A pair of parts that does not come nearer as fast as the task would have it.
+const PartDistances::Pair* CartesianTasks::findPair(const Task& task) const noexcept {
+  if (!approach_) return nullptr;
+  const Eigen::VectorXd& velocities = hierarchy_->velocities();
+  const auto rows = rows_.middleRows(task.row, task.does.rows());
+  for (Eigen::Index i = 0; i < approach_->count; ++i) {
+    const auto row = approach_->rows.row(i);
+    if (row.dot(velocities) > approach_->lower[i] + kHeldBack) continue;
+    for (Eigen::Index axis = 0; axis < rows.rows(); ++axis) {
+      if (std::abs(rows.row(axis).dot(row)) > kSlow) return &distances_->pairOf(i);
+    }
+  }
+  return nullptr;
 }
 
 void CartesianTasks::solvePosture() noexcept {

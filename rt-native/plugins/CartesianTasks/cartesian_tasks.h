@@ -8,8 +8,11 @@
 
 #include "cartesian_task.h"
 #include "moved_joints.h"
+#include "part_distances.h"
 #include "robotui/rt/link/fixed_text.h"
+#include "robotui/rt/plugin/channel.h"
 #include "robotui/rt/plugin/control_plugin.h"
+#include "robotui/rt/plugin/task_report.h"
 #include "task_parameters.h"
 
 namespace robotui::rt::plugins {
@@ -27,21 +30,27 @@ class CartesianTasks final : public ControlPlugin {
   std::string_view status() const noexcept override { return status_.view(); }
 
  private:
-  enum class Hindrance : std::uint8_t { kNone, kLimit, kSingular, kPriority };
+  enum class Hindrance : std::uint8_t { kNone, kLimit, kSingular, kPriority, kDistance };
 
   struct Task {
     CartesianTask does;
     Hindrance hindrance = Hindrance::kNone;
     Eigen::Index which = 0;  // joint
-    Eigen::Index row = 0;    // of its level
+    const PartDistances::Pair* pair = nullptr;
+    Eigen::Index row = 0;  // of its level
   };
 
   void solveTasks(double period) noexcept;
   void solvePosture() noexcept;
+  void begin(double period) noexcept;
+  const PartDistances::Pair* findPair(const Task& task) const noexcept;
   void findHindrance(Task& task, const LevelOutcome& outcome, bool is_first) noexcept;
   void update() noexcept;
   void say() noexcept;
   void sayOf(const Task& task) noexcept;
+  void sayNearest() noexcept;
+  void openReport(Setup& setup);
+  void report() noexcept;
   Task* findTask(std::string_view name) noexcept;
   bool obey(std::string_view verb, Task& task, std::string_view words) noexcept;
   bool setPosture(std::string_view name) noexcept;
@@ -51,7 +60,9 @@ class CartesianTasks final : public ControlPlugin {
   std::vector<Task> tasks_;  // by priority
   std::optional<VelocityBounds> bounds_;
   std::optional<TaskHierarchy> hierarchy_;
-  Eigen::MatrixXd rows_;  // of a level
+  std::optional<PartDistances> distances_;
+  std::optional<VelocityRows> approach_;  // of the nearest parts
+  Eigen::MatrixXd rows_;                  // of a level
   Eigen::VectorXd wanted_;
   Eigen::MatrixXd each_joint_;
   Eigen::VectorXd posture_;
@@ -59,6 +70,8 @@ class CartesianTasks final : public ControlPlugin {
   double posture_speed_ = 0.2;
   const config::RobotDescription* robot_ = nullptr;
   link::FixedText<240> status_;
+  TaskReport report_{};
+  ChannelWriter<TaskReport> reports_;
 };
 
 }  // namespace robotui::rt::plugins

@@ -20,6 +20,9 @@ class MovedJoints {
   const Joint& joint(Eigen::Index i) const noexcept { return *joints_[static_cast<std::size_t>(i)].joint; }
   double position(Eigen::Index i) const noexcept { return joints_[static_cast<std::size_t>(i)].position; }
 
+  // Of all joints of the model.
+  const Eigen::VectorXd& all() const noexcept { return positions_; }
+
   // Where they are held, and in the model.
   void start(ModelInterface& model) noexcept;
   // By positions, velocities and accelerations.

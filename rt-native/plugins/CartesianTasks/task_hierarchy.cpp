@@ -6,6 +6,7 @@
 namespace robotui::rt::plugins {
 namespace {
 
+constexpr double kEndless = 1e9;       // m/s
 constexpr double kNothing = 1e-9;      // a pivot that is no direction
 constexpr double kSingular = 0.02;     // a pivot below which a level is damped
 constexpr double kMostDamping = 0.02;  // at the singularity itself
@@ -24,13 +25,14 @@ double dampingFor(double pivot) noexcept {
 VelocityBounds::VelocityBounds(Eigen::Index joints)
     : lower(Eigen::VectorXd::Zero(joints)), upper(lower), reach_lower(lower), reach_upper(lower) {}
 
-TaskHierarchy::TaskHierarchy(Index joints, Index most_rows)
-    : quadratic_(joints + 1, joints + 1), velocities_(Eigen::VectorXd::Zero(joints)), freedom_(joints, joints),
-      projected_(most_rows, joints), missing_(most_rows), reached_(most_rows), best_(joints), reflection_(joints),
-      workspace_(std::max(joints, most_rows)) {}
+TaskHierarchy::TaskHierarchy(Index joints, Index most_rows, Index most_others)
+    : quadratic_(joints + 1, joints + most_others + 1), velocities_(Eigen::VectorXd::Zero(joints)),
+      freedom_(joints, joints), projected_(most_rows, joints), missing_(most_rows), reached_(most_rows), best_(joints),
+      reflection_(joints), workspace_(std::max(joints, most_rows)) {}
 
-void TaskHierarchy::begin(const VelocityBounds& bounds) noexcept {
+void TaskHierarchy::begin(const VelocityBounds& bounds, const VelocityRows* others) noexcept {
   bounds_ = &bounds;
+  others_ = others;
   velocities_ = bounds.lower.cwiseMax(bounds.upper.cwiseMin(0.0));
   freedom_.setIdentity();
   free_ = freedom_.cols();
@@ -73,6 +75,15 @@ void TaskHierarchy::putBounds(const Eigen::VectorXd& lower, const Eigen::VectorX
   quadratic_.rows().topLeftCorner(joints, free_) = freedom_.rightCols(free_);
   quadratic_.lower().head(joints) = (lower - velocities_).cwiseMin(0.0);
   quadratic_.upper().head(joints) = (upper - velocities_).cwiseMax(0.0);
+  if (others_ == nullptr) return;
+  const Index count = others_->count;
+  const auto rows = others_->rows.topRows(count);
+  quadratic_.rows().block(joints, 0, count, free_).noalias() = rows * freedom_.rightCols(free_);
+  auto lower_of_others = quadratic_.lower().segment(joints, count);
+  lower_of_others = others_->lower.head(count);
+  lower_of_others.noalias() -= rows * velocities_;
+  for (Index i = 0; i < count; ++i) lower_of_others[i] = std::min(lower_of_others[i], 0.0);
+  quadratic_.upper().segment(joints, count).setConstant(kEndless);
 }
 
 LevelOutcome TaskHierarchy::solve(const Eigen::Ref<const Eigen::MatrixXd>& rows,
@@ -89,7 +100,7 @@ LevelOutcome TaskHierarchy::solve(const Eigen::Ref<const Eigen::MatrixXd>& rows,
   const double damping = dampingFor(rank > 0 ? outcome.pivot : kSingular);
   outcome.is_damped = rank > 0 && outcome.pivot < kSingular;
   const auto projected = projected_.topLeftCorner(count, free_);
-  quadratic_.begin(free_, velocities_.size());
+  quadratic_.begin(free_, bounded());
   put(count, damping);
   quadratic_.gradient().noalias() = -projected.transpose() * missing_.head(count);
   putBounds(bounds_->lower, bounds_->upper);
@@ -105,12 +116,12 @@ LevelOutcome TaskHierarchy::solve(const Eigen::Ref<const Eigen::MatrixXd>& rows,
 // Where velocity and acceleration alone keep the level from what it could reach, it goes there in the same direction,
 // as fast as it can: one more variable is the part of that velocity.
 void TaskHierarchy::slowDown(Index rows, double damping, LevelOutcome& outcome) noexcept {
-  const Index joints = velocities_.size();
+  const Index count = bounded();
   const auto projected = projected_.topLeftCorner(rows, free_);
   auto reached = reached_.head(rows);
   reached.noalias() = projected * best_.head(free_);
   if ((missing_.head(rows) - reached).norm() <= kMissed) return;
-  quadratic_.begin(free_, joints);
+  quadratic_.begin(free_, count);
   put(rows, damping);
   quadratic_.gradient().noalias() = -projected.transpose() * missing_.head(rows);
   putBounds(bounds_->reach_lower, bounds_->reach_upper);
@@ -119,7 +130,7 @@ void TaskHierarchy::slowDown(Index rows, double damping, LevelOutcome& outcome) 
   reachable.noalias() = projected * quadratic_.variables();
   const double length = reachable.norm();
   if ((reachable - reached).norm() <= kMissed + 1e-3 * length) return;
-  quadratic_.begin(free_ + 1, joints + 1);
+  quadratic_.begin(free_ + 1, count + 1);
   put(rows, kLeastDamping * kLeastDamping);  // what is reachable is damped already
   auto hessian = quadratic_.hessian();
   hessian.row(free_).head(free_).noalias() = -reachable.transpose() * projected;
@@ -129,9 +140,9 @@ void TaskHierarchy::slowDown(Index rows, double damping, LevelOutcome& outcome) 
   quadratic_.rows().rightCols<1>().setZero();
   putBounds(bounds_->lower, bounds_->upper);
   quadratic_.rows().bottomRows<1>().setZero();
-  quadratic_.rows()(joints, free_) = 1;
-  quadratic_.lower()[joints] = 0;
-  quadratic_.upper()[joints] = 1;
+  quadratic_.rows()(count, free_) = 1;
+  quadratic_.lower()[count] = 0;
+  quadratic_.upper()[count] = 1;
   outcome.is_done &= quadratic_.solve();
   best_.head(free_) = quadratic_.variables().head(free_);
   outcome.scale = quadratic_.variables()[free_];

@@ -19,6 +19,15 @@ struct VelocityBounds {
   Eigen::VectorXd reach_upper;
 };
 
+// Of linear functions of the joint velocities: none may be below its bound, which is not above zero.
+struct VelocityRows {
+  VelocityRows(Eigen::Index most, Eigen::Index joints) : rows(most, joints), lower(most) {}
+
+  Eigen::MatrixXd rows;  // the first `count` of them
+  Eigen::VectorXd lower;
+  Eigen::Index count = 0;
+};
+
 // What became of one level.
 struct LevelOutcome {
   double scale = 1;        // of the velocity that the bounds of positions allow; below 1 it is slowed down
@@ -34,11 +43,11 @@ class TaskHierarchy {
  public:
   using Index = Eigen::Index;
 
-  // Sizes that no cycle exceeds: joints, rows of one level.
-  TaskHierarchy(Index joints, Index most_rows);
+  // Sizes that no cycle exceeds: joints, rows of one level, other functions that are bounded.
+  TaskHierarchy(Index joints, Index most_rows, Index most_others = 0);
 
   // The bounds live as long as the cycle.
-  void begin(const VelocityBounds& bounds) noexcept;
+  void begin(const VelocityBounds& bounds, const VelocityRows* others = nullptr) noexcept;
 
   // The next level: velocities for which `rows` * velocities is as near `wanted` as can be; its direction is kept where
   // `is_scaled`.
@@ -53,7 +62,10 @@ class TaskHierarchy {
   void putBounds(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) noexcept;
   void slowDown(Index rows, double damping, LevelOutcome& outcome) noexcept;
 
+  Index bounded() const noexcept { return velocities_.size() + (others_ == nullptr ? 0 : others_->count); }
+
   const VelocityBounds* bounds_ = nullptr;
+  const VelocityRows* others_ = nullptr;
   BoundedQuadratic quadratic_;
   Eigen::VectorXd velocities_;
   Eigen::MatrixXd freedom_;    // orthonormal; its last free_ columns are what the levels so far leave

@@ -8,6 +8,8 @@
 namespace robotui::rt::plugins {
 namespace {
 
+constexpr double kMostMetres = 10;
+
 constexpr std::array<const char*, 6> kAxes{"x", "y", "z", "roll", "pitch", "yaw"};
 
 bool isKnown(const std::string& name, const RobotInterface& robot) {
@@ -72,11 +74,39 @@ std::vector<TaskDescription> tasksOf(const config::Reader& params, RobotInterfac
   return tasks;
 }
 
+Eigen::Vector3d pointOf(const config::Reader& at) {
+  const auto numbers = at.items("[0, 0, 0.1]");
+  if (numbers.size() != 3) at.fail("has " + std::to_string(numbers.size()) + " numbers; expected 3, in m");
+  return {numbers[0].real(-kMostMetres, kMostMetres), numbers[1].real(-kMostMetres, kMostMetres),
+          numbers[2].real(-kMostMetres, kMostMetres)};
+}
+
+Capsule capsuleOf(const config::Reader& at) {
+  at.knowsOnly({"from", "to", "radius"});
+  const Eigen::Vector3d from = pointOf(at.at("from", "[0, 0, 0]"));
+  const auto to = at.find("to");
+  return {from, to ? pointOf(*to) : from, at.at("radius", "0.05").real(1e-4, kMostMetres)};
+}
+
+DistanceParameters distanceOf(const config::Reader& at) {
+  at.knowsOnly({"margin", "influence", "links", "capsules"});
+  DistanceParameters distance;
+  distance.margin = at.realOr("margin", distance.margin, 0, 1);
+  distance.influence = at.realOr("influence", distance.influence, 0.01, 1);
+  if (const auto links = at.find("links")) {
+    for (const auto& link : links->items("[left_hand, right_hand]")) distance.links.push_back(link.text());
+  }
+  if (const auto capsules = at.find("capsules")) {
+    for (const auto& [link, capsule] : capsules->entries()) distance.own.emplace_back(link, capsuleOf(capsule));
+  }
+  return distance;
+}
+
 }  // namespace
 
 TaskParameters readTaskParameters(const config::Reader& params, RobotInterface& robot) {
-  params.knowsOnly(
-      {"tasks", "joints", "chains", "posture", "posture_speed", "linear_speed", "angular_speed", "velocity_timeout"});
+  params.knowsOnly({"tasks", "joints", "chains", "posture", "posture_speed", "linear_speed", "angular_speed",
+                    "velocity_timeout", "distance"});
   TaskParameters result;
   result.tasks = tasksOf(params, robot);
   result.joints = chosenJoints(params, robot);
@@ -84,6 +114,7 @@ TaskParameters readTaskParameters(const config::Reader& params, RobotInterface& 
   if (!result.posture.empty() && !isKnown(result.posture, robot))
     params.at("posture", "home").fail("is no posture of the SRDF");
   result.posture_speed = params.realOr("posture_speed", result.posture_speed, 0.001, 1);
+  if (const auto distance = params.find("distance")) result.distance = distanceOf(*distance);
   return result;
 }
 

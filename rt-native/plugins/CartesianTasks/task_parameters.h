@@ -1,10 +1,12 @@
 // The parameters of CartesianTasks, as they are written: docs/rt-cartesian.md.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "cartesian_task.h"
+#include "part_distances.h"
 #include "robotui/rt/config/reader.h"
 
 namespace robotui::rt::plugins {
@@ -14,6 +16,7 @@ struct TaskParameters {
   std::vector<Joint*> joints;
   std::string posture;         // of the SRDF; empty is where the joints are at the start
   double posture_speed = 0.2;  // fraction of the velocity limits
+  std::optional<DistanceParameters> distance;
 };
 
 // Throws ConfigError. Not real time.

@@ -77,7 +77,7 @@ class Builder {
   void addLink(const urdf::Link& link, int body, const Eigen::Isometry3d& in_body) {
     tree_.links[link.name] = {body, in_body};
     if (link.inertial) addInertia(tree_.bodies[static_cast<std::size_t>(body)], *link.inertial, in_body);
-    for (const auto& collision : link.collision_array) addShape(*collision, body, in_body);
+    for (const auto& collision : link.collision_array) addShape(*collision, link.name, body, in_body);
     const auto isMesh = [](const urdf::CollisionSharedPtr& collision) {
       return collision->geometry && collision->geometry->type == urdf::Geometry::MESH;
     };
@@ -107,9 +107,9 @@ class Builder {
     addLink(*child, static_cast<int>(tree_.bodies.size()) - 1, Eigen::Isometry3d::Identity());
   }
 
-  void addShape(const urdf::Collision& collision, int body, const Eigen::Isometry3d& in_body) {
+  void addShape(const urdf::Collision& collision, const std::string& link, int body, const Eigen::Isometry3d& in_body) {
     if (!collision.geometry) return;
-    CollisionShape shape{CollisionShape::Kind::kBox, body, in_body * isometry(collision.origin),
+    CollisionShape shape{CollisionShape::Kind::kBox, body, in_body * isometry(collision.origin), link,
                          Eigen::Vector3d::Zero()};
     if (const auto* box = dynamic_cast<const urdf::Box*>(collision.geometry.get())) {
       shape.size = vector(box->dim) / 2;

@@ -38,6 +38,8 @@ void ClientRequests::dispatch(std::uint64_t client, const link::Packet& packet) 
     plugins_.status(client, rest);
   } else if (verb == "trajectory") {
     plugins_.trajectory(client, rest);
+  } else if (verb == "tasks") {
+    plugins_.tasks(client, rest);
   } else if (verb == "take") {
     master_.take(client, rest);
   } else if (verb == "release") {
@@ -62,10 +64,10 @@ void ClientRequests::dispatch(std::uint64_t client, const link::Packet& packet) 
     pushes_.push(client, rest, link::now());
   } else {
     replies_.answer(
-        client,
-        "The request " + quoted(verb) +
-            " is not known. There are: attach, switch, group, groups, reload, command, status, trajectory, take, "
-            "release, follower, describe, drives, recover, enable, disable, stops, press, push, reference.");
+        client, "The request " + quoted(verb) +
+                    " is not known. There are: attach, switch, group, groups, reload, command, status, trajectory, "
+                    "tasks, take, "
+                    "release, follower, describe, drives, recover, enable, disable, stops, press, push, reference.");
   }
 }
 

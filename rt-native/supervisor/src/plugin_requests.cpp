@@ -3,6 +3,7 @@
 #include "quoted.h"
 #include "robotui/rt/link/clock.h"
 #include "robotui/rt/link/words.h"
+#include "robotui/rt/supervisor/task_words.h"
 #include "robotui/rt/supervisor/trajectory_words.h"
 
 namespace robotui::rt::supervisor {
@@ -125,6 +126,18 @@ void PluginRequests::trajectory(std::uint64_t client, std::string_view words) {
     replies_.reply(client, "ok " + trajectoryWords(*report, board_.data().joints));
   else
     replies_.answer(client, registry_.name(*plugin) + " says nothing of trajectories.");
+}
+
+void PluginRequests::tasks(std::uint64_t client, std::string_view words) {
+  const auto plugin = registry_.find(words);
+  if (!plugin) {
+    replies_.reply(client, "error " + registry_.unknown(words));
+    return;
+  }
+  if (const auto report = taskReport(*hostOf(*plugin).channels().get(), registry_.name(*plugin)))
+    replies_.reply(client, "ok " + taskWords(*report));
+  else
+    replies_.answer(client, registry_.name(*plugin) + " says nothing of tasks.");
 }
 
 }  // namespace robotui::rt::supervisor

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <span>
 
-#include "robotui/rt/plugin/channel.h"
+#include "report_words.h"
 
 namespace robotui::rt::supervisor {
 namespace {
@@ -17,12 +16,6 @@ constexpr std::array<std::string_view, 11> kPhases{"none",       "telling",  "ch
 std::string_view wordOf(TrajectoryPhase phase) noexcept {
   const auto index = static_cast<std::size_t>(phase);
   return index < kPhases.size() ? kPhases[index] : kPhases[0];
-}
-
-std::string textOf(double number) {
-  std::array<char, 32> room{};
-  const auto [end, error] = std::to_chars(room.data(), room.data() + room.size(), number);
-  return {room.data(), end};
 }
 
 // Another process wrote it: it stays one line.
@@ -41,19 +34,7 @@ std::string lineOf(std::span<const double> numbers) {
 }  // namespace
 
 std::optional<TrajectoryReport> trajectoryReport(const link::ChannelSegment& channels, std::string_view plugin) {
-  const std::string name = trajectoryChannel(plugin);
-  const std::uint64_t id = channelFacts<TrajectoryReport>(name).id();
-  for (const link::ChannelSlot& slot : channels.slots) {
-    if (slot.id.load(std::memory_order_acquire) != id) continue;
-    // Its writer goes on meanwhile: one that was overwritten while it was read is followed by another one.
-    for (int tries = 0; tries < 5; ++tries) {
-      const std::uint64_t written = slot.written.load(std::memory_order_acquire);
-      TrajectoryReport report{};
-      if (written != 0 && detail::fetch(slot, written - 1, &report, sizeof(report)) == detail::Fetch::kOk)
-        return report;
-    }
-  }
-  return std::nullopt;
+  return newestOf<TrajectoryReport>(channels, trajectoryChannel(plugin));
 }
 
 std::string trajectoryWords(const TrajectoryReport& report, std::uint32_t joints) {

@@ -38,6 +38,11 @@ struct Bench {
   void watchedCycles(int count);
   bool say(const std::string& words) { return plugin.on_command(words); }
   std::string status() const { return std::string(plugin.status()); }
+  TaskReport report() {
+    TaskReport newest{};
+    EXPECT_TRUE((ChannelReader<TaskReport>(setup.channels(), taskChannel("plugin")).latest(newest)));
+    return newest;
+  }
 
   FakeSetup setup;
   CartesianTasks plugin;
@@ -223,6 +228,26 @@ posture_speed: 1
   bench.watchedCycles(6000);
   EXPECT_NEAR(bench.setup.robot().findJoint("left_shoulder_pitch")->getJointPosition(), -1.2, 1e-2);
   EXPECT_NEAR(yaw, 0, 1e-9);
+}
+
+TEST(CartesianTasksTest, SaysWhatItsTasksAreAndHowFarTheyAre) {
+  Bench bench(robotNamed("humanoid"), kBothArms);
+  const TaskReport before = bench.report();
+  ASSERT_EQ(before.count, 2U);
+  EXPECT_EQ(view(before.tasks[1].name), "right");
+  EXPECT_EQ(view(before.tasks[1].link), "right_hand");
+  EXPECT_EQ(view(before.tasks[1].base), "chest");
+  EXPECT_EQ(before.tasks[1].mask, 0b111111U);
+  EXPECT_DOUBLE_EQ(before.tasks[1].linear, 0.3);
+  EXPECT_TRUE(hasJoint(before, static_cast<std::uint32_t>(bench.setup.robot().findJoint("left_elbow")->index())));
+  EXPECT_FALSE(hasJoint(before, static_cast<std::uint32_t>(bench.setup.robot().findJoint("left_hip_yaw")->index())));
+  ASSERT_TRUE(bench.say("move left 0 0 3"));
+  ASSERT_TRUE(bench.say("disable right"));
+  bench.cycles(10);
+  EXPECT_EQ(bench.report().tasks[0].phase, TaskPhase::kMoving);
+  EXPECT_EQ(bench.report().tasks[1].phase, TaskPhase::kDisabled);
+  bench.watchedCycles(6000);
+  EXPECT_EQ(bench.report().tasks[0].phase, TaskPhase::kStuck) << bench.status();
 }
 
 TEST(CartesianTasksTest, RefusesWordsThatAreNone) {

@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "robotui/rt/link/allocations.h"
+#include "robotui/rt/plugin/channel.h"
 #include "robotui/rt/plugin/control_plugin.h"
 #include "robots.h"
 
@@ -55,7 +57,7 @@ class FakeSetup final : public Setup {
   double period() const override { return 0.001; }
   FakeRobot& robot() override { return robot_; }
   RtLog& log() override { return log_; }
-  ChannelDirectory& channels() override { throw std::logic_error("these plugins have no channels"); }
+  ChannelDirectory& channels() override { return channels_; }
   std::unique_ptr<ModelInterface> createModel() override { return ModelInterface::create("KDL", described_); }
   const link::MasterSegment& master() override { throw std::logic_error("these plugins have no master"); }
   void claim(const std::vector<std::string>& joints) override { claimed = joints; }
@@ -70,6 +72,8 @@ class FakeSetup final : public Setup {
   YAML::Node params_;
   FakeRobot robot_;
   FakeLog log_;
+  std::unique_ptr<ChannelSegment> segment_ = std::make_unique<ChannelSegment>();
+  ChannelDirectory channels_{*segment_, {segment_.get()}};
 };
 
 // Cycles of a millisecond; none may allocate or fail.

@@ -77,6 +77,7 @@ struct RobotDescription {
   std::vector<SensorDescription> imus;
   std::vector<SensorDescription> force_torques;
   std::vector<Posture> postures;
+  std::vector<std::pair<std::string, std::string>> free_to_touch;  // links, by the SRDF's disable_collisions
 };
 
 // Reads and checks the three files: every joint of the map is in the URDF, ids and names are unique, limits are

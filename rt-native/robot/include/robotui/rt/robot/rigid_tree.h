@@ -38,6 +38,7 @@ struct CollisionShape {
   enum class Kind { kBox, kSphere, kCylinder } kind;
   int body;
   Eigen::Isometry3d in_body;
+  std::string link;
   Eigen::Vector3d size;  // box: half sides; sphere: radius; cylinder: radius, half length along z
 };
 

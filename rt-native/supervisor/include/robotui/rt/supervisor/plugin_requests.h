@@ -27,6 +27,7 @@ class PluginRequests {
   void command(std::uint64_t client, std::string_view words);
   void status(std::uint64_t client, std::string_view words);
   void trajectory(std::uint64_t client, std::string_view words);
+  void tasks(std::uint64_t client, std::string_view words);
 
  private:
   void start(std::uint64_t client, std::uint32_t plugin);

@@ -53,6 +53,9 @@ final class PlanReader {
    * @param model the robot
    */
   static PlanRead read(Trajectory trajectory, Map<String, Double> now, RobotModel model) {
+    if (trajectory instanceof DisplayedTrajectory displayed && displayed.parts().isEmpty()) {
+      return new PlanRead.Refused(new DisplayStatus.Shown("nothing is planned"));
+    }
     PlanReader reader = new PlanReader(trajectory, now, model);
     if (reader.points() == 0) {
       return new PlanRead.Refused(new DisplayStatus.NoData("The newest trajectory has no points: nothing is planned."));

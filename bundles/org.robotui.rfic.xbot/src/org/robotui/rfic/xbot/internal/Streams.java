@@ -18,8 +18,11 @@ import org.robotui.data.joint.JointControl;
 import org.robotui.data.joint.JointModel;
 import org.robotui.data.joint.JointState;
 import org.robotui.data.joint.RobotDescription;
+import org.robotui.data.joint.Trajectory;
+import org.robotui.data.marker.InteractiveMarkerSet;
 import org.robotui.data.sensor.Imu;
 import org.robotui.data.status.Diagnostics;
+import org.robotui.rfic.xbot.internal.task.HandleSite;
 import org.robotui.xbot.Board;
 import org.robotui.xbot.HostReading;
 import org.robotui.xbot.StateFrame;
@@ -72,6 +75,28 @@ final class Streams implements AutoCloseable {
   void describe(RobotDescription description) {
     new Stream<>(XbotPorts.DESCRIPTION).publication.publish(description, Optional.empty());
     context.frames().add(frames.fixed(stamp(System.nanoTime())), ModelFrames.AUTHORITY);
+  }
+
+  /** Where handles of tasks are shown, offered from now on. */
+  HandleSite handleSite() {
+    Stream<InteractiveMarkerSet> handles = new Stream<>(XbotPorts.HANDLES);
+    Stream<Trajectory> plan = new Stream<>(XbotPorts.PLAN);
+    return new HandleSite() {
+      @Override
+      public boolean wanted() {
+        return handles.wanted;
+      }
+
+      @Override
+      public void handles(InteractiveMarkerSet now) {
+        handles.publication.publish(now, Optional.of(stamp(System.nanoTime())));
+      }
+
+      @Override
+      public void plan(Trajectory newest) {
+        plan.publication.publish(newest, Optional.of(stamp(System.nanoTime())));
+      }
+    };
   }
 
   /** What changes in every cycle. */

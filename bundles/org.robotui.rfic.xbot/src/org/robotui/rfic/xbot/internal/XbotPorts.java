@@ -20,6 +20,8 @@ import org.robotui.data.joint.JointControl;
 import org.robotui.data.joint.JointModel;
 import org.robotui.data.joint.JointState;
 import org.robotui.data.joint.RobotDescription;
+import org.robotui.data.joint.Trajectory;
+import org.robotui.data.marker.InteractiveMarkerSet;
 import org.robotui.data.record.DynamicRecord;
 import org.robotui.data.sensor.Imu;
 import org.robotui.data.status.Diagnostics;
@@ -48,6 +50,12 @@ final class XbotPorts {
       new StreamPort<>("drives", Drives.class, Arity.MANY, "where the drives of the joints stand");
   static final StreamPort<Diagnostics> DIAGNOSTICS =
       new StreamPort<>("diagnostics", Diagnostics.class, Arity.MANY, "how the emergency stops stand");
+  static final StreamPort<InteractiveMarkerSet> HANDLES =
+      new StreamPort<>("task_handles", InteractiveMarkerSet.class, Arity.MANY,
+          "handles for the frames that Cartesian plugins bring to poses");
+  static final StreamPort<Trajectory> PLAN =
+      new StreamPort<>("task_plan", Trajectory.class, Arity.MANY,
+          "how the joints are expected to go to where a handle was dragged");
   static final CommandPort<JointCommand> COMMAND =
       new CommandPort<>("joint_command", JointCommand.class, Arity.MANY,
           "what the joints shall do, while the communication plugin runs");
@@ -60,7 +68,7 @@ final class XbotPorts {
 
   static final List<Port> ALL =
       List.of(JOINTS, CONTROL, MODEL, PLUGINS, TIMING, DRIVES, DIAGNOSTICS, CYCLES, COMMAND, VERBS, SERVICES,
-          TopicPorts.ACTIONS, TopicPorts.GRAPH);
+          TopicPorts.ACTIONS, TopicPorts.GRAPH, TopicPorts.MARKER_FEEDBACK);
 
   private XbotPorts() {}
 

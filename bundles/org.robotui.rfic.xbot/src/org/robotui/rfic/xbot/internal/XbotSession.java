@@ -15,6 +15,9 @@ import org.robotui.data.control.Drives;
 import org.robotui.data.joint.RobotDescription;
 import org.robotui.message.topic.TopicPorts;
 import org.robotui.rfic.xbot.internal.follow.FollowActions;
+import org.robotui.rfic.xbot.internal.task.TaskHandles;
+import org.robotui.urdf.RobotModel;
+import org.robotui.urdf.Urdf;
 import org.robotui.xbot.Answer;
 import org.robotui.xbot.Board;
 import org.robotui.xbot.HostReading;
@@ -36,6 +39,7 @@ final class XbotSession implements RobotSession {
   private final Streams streams;
   private final XbotCommands commands;
   private final CycleFeed cycles;
+  private final Optional<TaskHandles> handles;
   private final List<Offer> offers = new ArrayList<>();
   private final LinkChanges link;
   private StateFrame.Hardware hardware = StateFrame.Hardware.OK;
@@ -64,7 +68,15 @@ final class XbotSession implements RobotSession {
     offers.add(context.offers().call(XbotPorts.SERVICES, new StopService(verbs, client::board)));
     FollowActions actions = new FollowActions(new SupervisorLink(client, ASK));
     offers.add(context.offers().call(TopicPorts.ACTIONS, actions));
+    handles = description.flatMap(known -> Urdf.parse(known.urdf()).found()).map(this::handles);
     offers.add(context.offers().browse(TopicPorts.GRAPH, new XbotBrowser(actions)));
+  }
+
+  private TaskHandles handles(RobotModel model) {
+    TaskHandles made = new TaskHandles(context.robot(), model, new SupervisorLink(client, ASK), streams.handleSite(),
+        context.threads());
+    offers.add(context.offers().command(TopicPorts.MARKER_FEEDBACK, made));
+    return made;
   }
 
   /** Asked once, as it does not change while a control runs. */
@@ -153,6 +165,7 @@ final class XbotSession implements RobotSession {
   public void close() {
     offers.forEach(Offer::close);
     commands.close();
+    handles.ifPresent(TaskHandles::close);
     cycles.close();
     streams.close();
   }

@@ -20,12 +20,14 @@ import org.robotui.api.command.Authority;
 import org.robotui.api.config.Settings;
 import org.robotui.api.config.SettingsStore;
 import org.robotui.api.frame.Frames;
+import org.robotui.api.port.Envelope;
 import org.robotui.api.port.Input;
 import org.robotui.api.port.SourceId;
 import org.robotui.api.time.RobotClock;
 import org.robotui.data.Data;
 import org.robotui.data.FrameId;
 import org.robotui.data.Framed;
+import org.robotui.data.joint.RobotDescription;
 import org.robotui.gl.display.DisplayContext;
 import org.robotui.gl.display.DisplayType;
 import org.robotui.gl.shape.Part;
@@ -56,6 +58,8 @@ public final class SceneModel {
   private final RobotColors colors;
   private final Set<FrameId> named = new LinkedHashSet<>();
   private Set<SourceId> chosen = Set.of();
+  /** What is said once, for displays that come later. */
+  private final Map<SourceId, Envelope<Data>> descriptions = new HashMap<>();
   private long epoch;
   private final PastLook past;
   private List<Part> marks = List.of();
@@ -163,7 +167,10 @@ public final class SceneModel {
     for (DisplaySpec spec : specs()) {
       DisplaySlot slot = Optional.ofNullable(before.remove(spec.id())).filter(s -> s.spec().type().equals(spec.type()))
           .orElseGet(() -> new DisplaySlot(spec));
+      Set<SourceId> had = slot.choice().sources();
       slot.configure(spec, Optional.ofNullable(byId.get(spec.type())), offered);
+      slot.choice().sources().stream().filter(source -> !had.contains(source) && descriptions.containsKey(source))
+          .forEach(source -> slot.take(descriptions.get(source)));
       slots.put(spec.id(), slot);
     }
     before.values().forEach(DisplaySlot::end);
@@ -174,12 +181,16 @@ public final class SceneModel {
   private void choose(Set<SourceId> sources) {
     if (!sources.equals(chosen)) {
       chosen = Set.copyOf(sources);
+      descriptions.keySet().retainAll(chosen);
       input.choose(chosen);
     }
   }
 
   private void drain() {
     input.drain(envelope -> {
+      if (envelope.value() instanceof RobotDescription) {
+        descriptions.put(envelope.source(), envelope);
+      }
       if (envelope.value() instanceof Framed framed) {
         framed.frames().limit(MOST_FRAMES).filter(f -> named.size() < MOST_FRAMES).forEach(named::add);
       }

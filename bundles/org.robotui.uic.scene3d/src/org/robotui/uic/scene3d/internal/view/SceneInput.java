@@ -32,6 +32,7 @@ final class SceneInput {
   private final Display display;
   private final Runnable rest;
   private final WaypointKeys waypoints;
+  private final HandleKeys handles;
   private Optional<Press> press = Optional.empty();
   private Optional<DragState> grip = Optional.empty();
   private Point pointer = new Point(0, 0);
@@ -58,6 +59,7 @@ final class SceneInput {
     canvas = scene.surface().control();
     display = canvas.getDisplay();
     waypoints = new WaypointKeys(scene, parts);
+    handles = new HandleKeys(parts.model()::soon);
     rest = this::rested;
   }
 
@@ -102,6 +104,7 @@ final class SceneInput {
     if (press.isEmpty()) {
       return;
     }
+    hit.flatMap(h -> h.part().handle()).ifPresent(handles::gripped);
     grip = hit.flatMap(h -> h.part().handle()
         .map(handle -> new DragState(handle, scene.lens().ray(x, y), h.place(), parts.model()::soon)));
     if (grip.isEmpty()) {
@@ -239,7 +242,7 @@ final class SceneInput {
   }
 
   private void key(Event e) {
-    if (waypoints.key(e)) {
+    if (waypoints.key(e) || handles.key(e.keyCode)) {
       return;
     }
     switch (e.keyCode) {
