@@ -11,6 +11,7 @@ constexpr const char* kExample = "{start: [Walk, Balance], stop: [Stand]}";
 
 std::vector<std::string> namesOf(const std::vector<PluginConfig>& plugins) {
   std::vector<std::string> names;
+  names.reserve(plugins.size());
   for (const PluginConfig& plugin : plugins) names.push_back(plugin.name);
   return names;
 }
