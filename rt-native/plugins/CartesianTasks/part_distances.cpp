@@ -149,7 +149,8 @@ bool PartDistances::isMovedBetween(int a, int b) const {
                      [&](int body) { return body >= 0 && carries(body, a) != carries(body, b); });
 }
 
-// Capsules are larger than what is in them: those of parts that lie near each other in every posture overlap always.
+// Capsules are larger than what is in them: those of parts that lie near each other overlap always, or where the robot
+// is meant to be.
 void PartDistances::leaveOutAlwaysNear(const config::RobotDescription& robot) {
   std::mt19937 random(1);  // the same ones at each start
   std::vector<int> near(pairs_.size(), 0);
@@ -163,6 +164,16 @@ void PartDistances::leaveOutAlwaysNear(const config::RobotDescription& robot) {
     }
     update(positions);
     for (std::size_t i = 0; i < pairs_.size(); ++i) near[i] += pairs_[i].distance < parameters_.margin ? 1 : 0;
+  }
+  for (const config::Posture& posture : robot.postures) {
+    positions.setZero();
+    for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+      for (const auto& [joint, position] : posture.joints) {
+        if (joint == robot.joints[i].name) positions[static_cast<Eigen::Index>(i)] = position;
+      }
+    }
+    update(positions);
+    for (std::size_t i = 0; i < pairs_.size(); ++i) near[i] += pairs_[i].distance < parameters_.margin ? kSamples : 0;
   }
   std::vector<Pair> kept;
   for (std::size_t i = 0; i < pairs_.size(); ++i) {

@@ -58,7 +58,7 @@ class PartDistances {
   const std::string& linkB(const Pair& pair) const noexcept { return parts_[pair.b].link; }
   // Links whose shapes are meshes: they are not looked at unless a capsule was given for them.
   const std::vector<std::string>& meshLinks() const noexcept { return mesh_links_; }
-  // Pairs that are always nearer than the margin, and so left out.
+  // Pairs that are nearer than the margin always, or in a posture of the SRDF, and so left out.
   std::size_t alwaysNear() const noexcept { return always_near_; }
 
  private:

@@ -243,7 +243,7 @@ TEST(CartesianTasksTest, SaysWhatItsTasksAreAndHowFarTheyAre) {
   EXPECT_FALSE(hasJoint(before, static_cast<std::uint32_t>(bench.setup.robot().findJoint("left_hip_yaw")->index())));
   ASSERT_TRUE(bench.say("move left 0 0 3"));
   ASSERT_TRUE(bench.say("disable right"));
-  bench.cycles(10);
+  bench.watchedCycles(10);
   EXPECT_EQ(bench.report().tasks[0].phase, TaskPhase::kMoving);
   EXPECT_EQ(bench.report().tasks[1].phase, TaskPhase::kDisabled);
   bench.watchedCycles(6000);

@@ -128,7 +128,7 @@ TEST(PartDistancesTest, TwoHandsThatAreSentToOnePlaceKeepTheirMargin) {
   TwoHands hands("distance: {margin: 0.03}");
   ASSERT_TRUE(hands.plugin.on_command("pose left 0.35 0 0"));
   ASSERT_TRUE(hands.plugin.on_command("pose right 0.35 0 0"));
-  EXPECT_GT(leastDistance(hands, 6000), 0.029);
+  EXPECT_GT(leastDistance(hands, 16000), 0.029);
   const std::string status(hands.plugin.status());
   EXPECT_NE(status.find(" cannot go on, "), std::string::npos) << status;
   EXPECT_NE(status.find(" keep their distance; nearest are "), std::string::npos) << status;

@@ -168,8 +168,8 @@ class TrajectoryDisplayTest {
   @Test
   void saysWhyNothingIsSeen() {
     assertTrue(words(DisplayStatus.NoData.class, give(Arm.way())).contains("no points"));
-    assertTrue(words(DisplayStatus.NoData.class, give(new DisplayedTrajectory("arm", List.of(), List.of())))
-        .contains("no points"));
+    assertEquals("nothing is planned",
+        words(DisplayStatus.Shown.class, give(new DisplayedTrajectory("arm", List.of(), List.of()))));
     assertEquals(
         "Nothing of the trajectory can be shown: the model 'arm' has no movable joint 'elbow' (and 1 more of the trajectory).",
         words(DisplayStatus.Unfit.class,
