@@ -1,16 +1,14 @@
 package org.robotui.testkit.host;
 
 import java.time.Duration;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.CompletionStage;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Function;
+import java.util.stream.Stream;
 import org.robotui.api.Uic;
 import org.robotui.api.command.Authority;
 import org.robotui.api.command.Principal;
@@ -47,13 +45,11 @@ public final class FakeRuic implements Ruic {
   private final FakeAlerts alerts = new FakeAlerts();
   private final FakeSelection selection = new FakeSelection();
   private final FakeShowings showings = new FakeShowings();
-  private final AtomicLong ticks = new AtomicLong();
   private final List<String> calls = new CopyOnWriteArrayList<>();
   private final List<String> windows = new CopyOnWriteArrayList<>();
   private final FakeArranging arranging = new FakeArranging();
   private volatile LinkState link = new LinkState.Connected("test");
   private volatile RuicState state = RuicState.INITIALIZED;
-  private volatile boolean waits;
   private volatile String reason = "";
   private volatile List<ComponentStatus> components = List.of();
   private volatile List<PortStatus> ports = List.of();
@@ -73,18 +69,17 @@ public final class FakeRuic implements Ruic {
   }
 
   /**
-   * Makes it one that starts when it is shown.
+   * Makes it one that has not started, and does when it is shown.
    *
    * @return this
    */
   public FakeRuic waiting() {
-    waits = true;
     return in(RuicState.ADDED, "");
   }
 
   @Override
   public boolean startsShown() {
-    return waits;
+    return state == RuicState.ADDED;
   }
 
   /**
@@ -96,8 +91,7 @@ public final class FakeRuic implements Ruic {
    */
   public FakeRuic view(String id, Uic uic) {
     uics.put(id, uic);
-    return component(new ComponentStatus(
-        id, id, ComponentStatus.Kind.UIC, RuicState.SELECTED, "", Optional.empty()));
+    return component(new ComponentStatus(id, id, ComponentStatus.Kind.UIC, RuicState.SELECTED, "", Optional.empty()));
   }
 
   /**
@@ -119,10 +113,8 @@ public final class FakeRuic implements Ruic {
    * @return this
    */
   public synchronized FakeRuic component(ComponentStatus status) {
-    List<ComponentStatus> next = new ArrayList<>(components);
-    next.removeIf(c -> c.id().equals(status.id()));
-    next.add(status);
-    components = List.copyOf(next);
+    components =
+        Stream.concat(components.stream().filter(c -> !c.id().equals(status.id())), Stream.of(status)).toList();
     return this;
   }
 
@@ -344,7 +336,7 @@ public final class FakeRuic implements Ruic {
 
   @Override
   public long ticks(String id) {
-    return ticks.incrementAndGet();
+    return System.nanoTime();
   }
 
   @Override
@@ -389,7 +381,7 @@ public final class FakeRuic implements Ruic {
   }
 
   @Override
-  public CompletionStage<RuicState> restart() {
+  public CompletableFuture<RuicState> restart() {
     calls.add("restart");
     return CompletableFuture.completedFuture(state);
   }
@@ -400,7 +392,7 @@ public final class FakeRuic implements Ruic {
   }
 
   @Override
-  public CompletionStage<RuicState> remove() {
+  public CompletableFuture<RuicState> remove() {
     calls.add("remove");
     return CompletableFuture.completedFuture(RuicState.SHUT_DOWN);
   }
