@@ -10,6 +10,7 @@ namespace robotui::rt::plugins {
 namespace {
 
 constexpr double kGain = 5;         // 1/s: the most m/s for each m above the margin
+constexpr double kApart = 0.01;     // m/s at most, with which parts go apart that are nearer than the margin
 constexpr double kNothing = 1e-9;   // m
 constexpr int kSamples = 200;       // postures in which pairs are looked at beforehand
 constexpr double kAlways = 0.95;    // of them
@@ -219,7 +220,7 @@ void PartDistances::put(VelocityRows& rows) noexcept {
     const Eigen::Vector3d direction = length > kNothing ? Eigen::Vector3d(between / length) : Eigen::Vector3d::Zero();
     for (std::size_t i = 0; i < moved_.size(); ++i)
       rows.rows(rows.count, static_cast<Eigen::Index>(i)) = slope(pair, direction, moved_[i]);
-    rows.lower[rows.count] = std::min(-kGain * (pair.distance - parameters_.margin), 0.0);
+    rows.lower[rows.count] = std::min(-kGain * (pair.distance - parameters_.margin), kApart);
   }
 }
 

@@ -31,7 +31,7 @@ struct DistanceParameters {
 class PartDistances {
  public:
   static constexpr std::size_t kMostPairs = 1000;
-  static constexpr Eigen::Index kMostRows = 12;  // of the nearest pairs that hold joints back at once
+  static constexpr Eigen::Index kMostRows = 40;  // of the nearest pairs, which bound the joints
 
   struct Pair {
     std::size_t a;  // capsules

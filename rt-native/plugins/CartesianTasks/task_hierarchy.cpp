@@ -27,8 +27,8 @@ VelocityBounds::VelocityBounds(Eigen::Index joints)
 
 TaskHierarchy::TaskHierarchy(Index joints, Index most_rows, Index most_others)
     : quadratic_(joints + 1, joints + most_others + 1), velocities_(Eigen::VectorXd::Zero(joints)),
-      freedom_(joints, joints), projected_(most_rows, joints), missing_(most_rows), reached_(most_rows), best_(joints),
-      reflection_(joints), workspace_(std::max(joints, most_rows)) {}
+      freedom_(joints, joints), projected_(std::max(most_rows, most_others), joints), missing_(projected_.rows()),
+      reached_(most_rows), best_(joints), reflection_(joints), workspace_(std::max(joints, most_rows)) {}
 
 void TaskHierarchy::begin(const VelocityBounds& bounds, const VelocityRows* others) noexcept {
   bounds_ = &bounds;
@@ -36,6 +36,27 @@ void TaskHierarchy::begin(const VelocityBounds& bounds, const VelocityRows* othe
   velocities_ = bounds.lower.cwiseMax(bounds.upper.cwiseMin(0.0));
   freedom_.setIdentity();
   free_ = freedom_.cols();
+  if (others_ != nullptr) restore();
+}
+
+// To stop each joint as fast as it can is not always best for a function of several: one that turns away is needed
+// longer. The freedom of the levels stays whole.
+void TaskHierarchy::restore() noexcept {
+  Index count = 0;
+  for (Index i = 0; i < others_->count; ++i) {
+    const double lacking = others_->lower[i] - others_->rows.row(i).dot(velocities_);
+    if (lacking <= kMissed) continue;
+    projected_.row(count) = others_->rows.row(i);
+    missing_[count++] = lacking;
+  }
+  if (count == 0) return;
+  quadratic_.begin(free_, bounded());
+  put(count, kLeastDamping * kLeastDamping);
+  quadratic_.gradient().noalias() = -projected_.topRows(count).transpose() * missing_.head(count);
+  putBounds(bounds_->lower, bounds_->upper);
+  quadratic_.solve();
+  velocities_ += quadratic_.variables();
+  velocities_ = velocities_.cwiseMax(bounds_->lower).cwiseMin(bounds_->upper);
 }
 
 // Turns the freedom so that the rows, best first, lie in its first columns: how many they are.

@@ -19,7 +19,8 @@ struct VelocityBounds {
   Eigen::VectorXd reach_upper;
 };
 
-// Of linear functions of the joint velocities: none may be below its bound, which is not above zero.
+// Of linear functions of the joint velocities: none may be below its bound. Where joints cannot stop at once, or the
+// bound is above zero, it is kept as well as bounds of joints allow, before any level.
 struct VelocityRows {
   VelocityRows(Eigen::Index most, Eigen::Index joints) : rows(most, joints), lower(most) {}
 
@@ -59,6 +60,7 @@ class TaskHierarchy {
  private:
   Index turn(Index rows, LevelOutcome& outcome) noexcept;
   void put(Index rows, double damping) noexcept;
+  void restore() noexcept;
   void putBounds(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) noexcept;
   void slowDown(Index rows, double damping, LevelOutcome& outcome) noexcept;
 

@@ -76,14 +76,14 @@ class FakeSetup final : public Setup {
   ChannelDirectory channels_{*segment_, {segment_.get()}};
 };
 
-// Cycles of a millisecond; none may allocate or fail.
-inline void run(ControlPlugin& plugin, FakeSetup& setup, int cycles) {
+// Cycles, of a millisecond unless said otherwise; none may allocate or fail.
+inline void run(ControlPlugin& plugin, FakeSetup& setup, int cycles, double period = 0.001) {
   const auto before = link::allocationCount().calls;
   int failures = 0;
   {
     const link::CountAllocations counting;
     for (int i = 0; i < cycles; ++i) {
-      failures += plugin.control_loop(0.001 * i, 0.001).isOk() ? 0 : 1;
+      failures += plugin.control_loop(period * i, period).isOk() ? 0 : 1;
       setup.robot().follow();
     }
   }

@@ -115,14 +115,14 @@ tasks:
 };
 
 // The least distance that the hands have while both go to one place.
-double leastDistance(TwoHands& hands, int cycles) {
+double leastDistance(TwoHands& hands, int cycles, double period = 0.001) {
   const config::RobotDescription& robot = hands.setup.robot().description();
   PartDistances seen(robot, {0.02, 0.1, {"left_hand", "right_hand", "left_forearm", "right_forearm"}, {}},
                      jointsOf(robot));
   Eigen::VectorXd at(static_cast<Eigen::Index>(robot.joints.size()));
   double least = 1;
   for (int i = 0; i < cycles; ++i) {
-    run(hands.plugin, hands.setup, 1);
+    run(hands.plugin, hands.setup, 1, period);
     for (Eigen::Index joint = 0; joint < at.size(); ++joint)
       at[joint] = hands.setup.robot().joint(static_cast<int>(joint)).getJointPosition();
     seen.update(at);
@@ -134,11 +134,28 @@ double leastDistance(TwoHands& hands, int cycles) {
 TEST(PartDistancesTest, TwoHandsThatAreSentToOnePlaceKeepTheirMargin) {
   TwoHands hands("distance: {margin: 0.03}");
   ASSERT_TRUE(hands.plugin.on_command("pose left 0.35 0 0"));
+  run(hands.plugin, hands.setup, 50);  // not alike: what stops one hand must not be what turns the other away
   ASSERT_TRUE(hands.plugin.on_command("pose right 0.35 0 0"));
   EXPECT_GT(leastDistance(hands, 16000), 0.029);
   const std::string status(hands.plugin.status());
   EXPECT_NE(status.find(" cannot go on, "), std::string::npos) << status;
   EXPECT_NE(status.find(" keep their distance; nearest are "), std::string::npos) << status;
+}
+
+// Sent to and fro, at the speed and with the period of a slow thread, before they are there.
+TEST(PartDistancesTest, HandsThatAreSentAnywhereKeepTheirMargin) {
+  std::mt19937 random(11);
+  const auto between = [&](double least, double most) {
+    return std::to_string(std::uniform_real_distribution<double>(least, most)(random));
+  };
+  TwoHands hands("distance: {margin: 0.03}");
+  double least = 1;
+  for (int i = 0; i < 60; ++i) {
+    const std::string place = between(0.2, 0.45) + " " + between(-0.25, 0.25) + " " + between(-0.2, 0.3);
+    ASSERT_TRUE(hands.plugin.on_command((i % 2 == 0 ? "pose left " : "pose right ") + place));
+    least = std::min(least, leastDistance(hands, 100, 0.004));
+  }
+  EXPECT_GT(least, 0.028);
 }
 
 TEST(PartDistancesTest, WithoutADistanceNothingStopsThem) {
