@@ -3,6 +3,7 @@ package org.robotui.data.record;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.robotui.data.Data;
 
 /**
@@ -46,6 +47,12 @@ public final class DataRecord implements DynamicRecord {
 
   Record value() {
     return value;
+  }
+
+  @Override
+  public OptionalDouble number(FieldPath path) {
+    OptionalDouble number = new NumberPath(path).follow(value);
+    return number.isPresent() ? number : DynamicRecord.super.number(path);
   }
 
   @Override

@@ -39,7 +39,7 @@ public final class NumberPath {
   }
 
   /** None where the way by the fields of records has to tell what is there. */
-  private OptionalDouble follow(Object value) {
+  OptionalDouble follow(Object value) {
     Object at = value;
     int last = hops.length - 1;
     for (int i = 0; i < last && at != null; i++) {

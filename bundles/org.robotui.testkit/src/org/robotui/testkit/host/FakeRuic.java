@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Function;
@@ -381,7 +382,7 @@ public final class FakeRuic implements Ruic {
   }
 
   @Override
-  public CompletableFuture<RuicState> restart() {
+  public CompletionStage<RuicState> restart() {
     calls.add("restart");
     return CompletableFuture.completedFuture(state);
   }
@@ -392,7 +393,7 @@ public final class FakeRuic implements Ruic {
   }
 
   @Override
-  public CompletableFuture<RuicState> remove() {
+  public CompletionStage<RuicState> remove() {
     calls.add("remove");
     return CompletableFuture.completedFuture(RuicState.SHUT_DOWN);
   }
