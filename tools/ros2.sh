@@ -1,7 +1,13 @@
 # Peers from PyPI, each in a virtual environment of its own: those that speak DDS, which are ROS 2 (rclpy on Fast DDS) and Cyclone DDS for Python, the servers of
 # Foxglove's protocol, the present one and its predecessor, readers of recordings, and nodes of a CAN bus (CANopen). Optional, made when wanted.
-readonly ROS2_PEERS=$KEEP/ros2-peers
-readonly RCLPY_PACKAGES=(ros-rclpy ros-std-msgs ros-rmw-fastrtps-cpp ros-sensor-msgs ros-nav-msgs ros-geometry-msgs ros-std-srvs)
+# rclpy is that of the newest distribution, or of Jazzy where ROBOTUI_ROS2_DISTRO=jazzy says so.
+readonly ROS2_DISTRO=${ROBOTUI_ROS2_DISTRO:-}
+readonly ROS2_PEERS=$KEEP/ros2-peers${ROS2_DISTRO:+-$ROS2_DISTRO}
+if [[ $ROS2_DISTRO == jazzy ]]; then
+  readonly RCLPY_PACKAGES=(ros-rclpy==7.1.6 ros-rmw-fastrtps-cpp==8.4.3 ros-{std-msgs,sensor-msgs,nav-msgs,geometry-msgs,std-srvs}==5.3.6)
+else
+  readonly RCLPY_PACKAGES=(ros-rclpy ros-std-msgs ros-rmw-fastrtps-cpp ros-sensor-msgs ros-nav-msgs ros-geometry-msgs ros-std-srvs)
+fi
 readonly CYCLONE_PACKAGES=(cyclonedds==11.0.1)
 readonly FOXGLOVE_PACKAGES=(foxglove-sdk==0.30.3 foxglove-websocket==0.1.4)
 readonly CANOPEN_PACKAGES=(canopen==2.4.1 python-can==4.6.1)
@@ -12,6 +18,7 @@ ros2_peer() { [[ -e $ROS2_PEERS/$1/ready ]] && printf '%s' "$ROS2_PEERS/$1/bin/p
 
 # About 12 s and 270 MB the first time.
 make_ros2_peers() {
+  [[ -z $ROS2_DISTRO || $ROS2_DISTRO == jazzy ]] || fail "ROBOTUI_ROS2_DISTRO is '$ROS2_DISTRO', but there are packages of jazzy alone beside those of the newest distribution"
   make_ros2_peer rclpy --no-binary empy "${RCLPY_PACKAGES[@]}" & make_ros2_peer cyclone "${CYCLONE_PACKAGES[@]}"
   wait $!
   make_ros2_peer foxglove "${FOXGLOVE_PACKAGES[@]}" & make_ros2_peer recordings "${RECORDING_PACKAGES[@]}"
