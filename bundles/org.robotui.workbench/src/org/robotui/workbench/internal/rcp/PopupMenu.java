@@ -2,7 +2,6 @@ package org.robotui.workbench.internal.rcp;
 
 import java.util.List;
 import java.util.stream.Stream;
-import org.eclipse.jface.action.MenuManager;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.widgets.Control;
 import org.eclipse.swt.widgets.Event;
@@ -11,7 +10,7 @@ import org.eclipse.ui.IWorkbenchWindow;
 import org.robotui.workbench.internal.keys.KeyWords;
 import org.robotui.workbench.internal.model.SearchEntry;
 
-/** A menu of the top bar: what all bundles contribute to it, fresh each time. */
+/** A menu of the top bar: what all bundles contribute to it. */
 final class PopupMenu {
   private final IWorkbenchWindow window;
   private final FilledMenus menus;
@@ -19,28 +18,27 @@ final class PopupMenu {
 
   PopupMenu(IWorkbenchWindow window, String id) {
     this.window = window;
-    menus = new FilledMenus(window);
+    menus = FilledMenus.of(window);
     this.id = id;
   }
 
   void show(Control below) {
-    MenuManager manager = menus.fill(id);
-    Menu menu = manager.createContextMenu(below);
-    // After the event of the item that was chosen, which comes after the menu has gone.
-    menu.addListener(SWT.Hide, e -> below.getDisplay().asyncExec(() -> menus.release(manager)));
+    Menu menu = menu();
     menu.setLocation(below.toDisplay(0, below.getSize().y));
     menu.setVisible(true);
   }
 
+  private Menu menu() {
+    return menus.menu(id).createContextMenu(window.getShell());
+  }
+
   /** What could be chosen now, for the search. */
   List<SearchEntry> entries(String group) {
-    MenuManager manager = menus.fill(id);
-    Menu menu = manager.createContextMenu(window.getShell());
+    Menu menu = menu();
     menu.notifyListeners(SWT.Show, new Event());
     List<SearchEntry> entries = Stream.of(menu.getItems()).filter(item -> item.isEnabled() && !item.getText().isEmpty())
         .map(item -> entry(group, item.getText())).toList();
     menu.notifyListeners(SWT.Hide, new Event());
-    menus.release(manager);
     return entries;
   }
 
@@ -55,13 +53,14 @@ final class PopupMenu {
     return KeyWords.read(text).map(KeyWords::text).orElse(text);
   }
 
-  /** The menu is made anew: what is in it may have changed since. */
+  /** What is in the menu may have changed since. */
   private void choose(String text) {
-    MenuManager manager = menus.fill(id);
-    Menu menu = manager.createContextMenu(window.getShell());
+    Menu menu = menu();
     menu.notifyListeners(SWT.Show, new Event());
     Stream.of(menu.getItems()).filter(item -> item.getText().equals(text) && item.isEnabled()).findFirst()
         .ifPresent(item -> item.notifyListeners(SWT.Selection, new Event()));
-    menus.release(manager);
+    if (!menu.isDisposed()) { // what was chosen may have closed the window
+      menu.notifyListeners(SWT.Hide, new Event());
+    }
   }
 }
