@@ -159,7 +159,9 @@ final class InteractiveDisplay implements Display {
   private DisplayStatus status(DisplayTick tick, List<String> missing) {
     if (markers.isEmpty()) {
       boolean live = tick.state() instanceof InputState.Live;
-      return new DisplayStatus.NoData(live ? "there are no interactive markers now" : tick.state().explanation());
+      // Who says so may have some again at any time: nothing is missing.
+      return live ? new DisplayStatus.Shown("there are no interactive markers now")
+          : new DisplayStatus.NoData(tick.state().explanation());
     }
     if (!missing.isEmpty()) {
       return new DisplayStatus.NoFrame(missing.getFirst());

@@ -177,7 +177,7 @@ class InteractiveDisplayTest {
 
   @Test
   void itSaysWhatIsMissing() {
-    assertInstanceOf(DisplayStatus.NoData.class, display.update(scene.of()).status());
+    assertEquals(new DisplayStatus.Shown("there are no interactive markers now"), display.update(scene.of()).status());
     scene.frames.clear();
     assertEquals(new DisplayStatus.NoFrame("no transform from map to map"),
         says(marker(1, control(Mode.BUTTON, List.of()))).status());
