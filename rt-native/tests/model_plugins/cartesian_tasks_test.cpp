@@ -5,21 +5,7 @@
 namespace robotui::rt::plugins {
 namespace {
 
-#ifdef NDEBUG
-constexpr std::size_t kLess = 1;
-#else
-constexpr std::size_t kLess = 2;  // with sanitizers a cycle takes a hundred times as long
-#endif
-
 using Eigen::Vector3d;
-
-// A robot with two arms, and the limits of acceleration that a configuration gives it.
-RobotPtr withAcceleration(RobotPtr robot) {
-  if (!robot) return robot;
-  auto limited = std::make_shared<config::RobotDescription>(*robot);
-  for (auto& joint : limited->joints) joint.acceleration = 20;
-  return limited;
-}
 
 struct Bench {
   Bench(const RobotPtr& robot, const std::string& params, const std::vector<std::pair<std::string, double>>& from = {})
@@ -141,7 +127,7 @@ TEST(CartesianTasksTest, AStraightArmThatCannotGoOnSaysSo) {
               {{"left_shoulder_pitch", 0}, {"left_shoulder_roll", 0}, {"left_elbow", 0}});
   const std::vector<const char*> all{"move left 0 0 0.1", "move left 0.6 0 0", "move left 0 0 -0.2",
                                      "move left 0.3 0 0"};
-  for (std::size_t i = 0; i < all.size() / kLess; ++i) {
+  for (std::size_t i = 0; i < all.size() / std::size_t{kLess}; ++i) {
     ASSERT_TRUE(bench.say(all[i]));
     bench.watchedCycles(4500);
     for (int cycle = 0; cycle < 200; ++cycle) {  // it says so and does not say otherwise in between

@@ -14,6 +14,20 @@
 
 namespace robotui::rt::plugins {
 
+#ifdef NDEBUG
+constexpr int kLess = 1;
+#else
+constexpr int kLess = 2;  // of long tests: with sanitizers a cycle takes a hundred times as long
+#endif
+
+// A robot with the limits of acceleration that a configuration gives it.
+inline RobotPtr withAcceleration(const RobotPtr& robot) {
+  if (!robot) return robot;
+  auto limited = std::make_shared<config::RobotDescription>(*robot);
+  for (auto& joint : limited->joints) joint.acceleration = 20;
+  return limited;
+}
+
 class FakeRobot final : public RobotInterface {
  public:
   using RobotInterface::RobotInterface;

@@ -98,16 +98,9 @@ TEST(PartDistancesTest, NeighboursAndWhatTheSrdfNamesAreLeftOut) {
   EXPECT_THROW(PartDistances(*robot, {0.02, 0.1, {"left_hand"}, {}}, jointsOf(*robot)), std::runtime_error);
 }
 
-// As robots are configured: joints with bounds of their acceleration.
-RobotPtr boundedHumanoid() {
-  auto robot = std::make_shared<config::RobotDescription>(*robotNamed("humanoid"));
-  for (auto& joint : robot->joints) joint.acceleration = 20;
-  return robot;
-}
-
 struct TwoHands {
   explicit TwoHands(const std::string& more)
-      : setup(boundedHumanoid(), R"(
+      : setup(withAcceleration(robotNamed("humanoid")), R"(
 chains: [left_arm, right_arm]
 linear_speed: 0.3
 tasks:

@@ -51,8 +51,12 @@ public final class DataRecord implements DynamicRecord {
 
   @Override
   public OptionalDouble number(FieldPath path) {
-    OptionalDouble number = new NumberPath(path).follow(value);
-    return number.isPresent() ? number : DynamicRecord.super.number(path);
+    return new NumberPath(path).in(this);
+  }
+
+  /** By the values of fields, which have to tell what is there where Java records do not. */
+  OptionalDouble numberOfFields(FieldPath path) {
+    return DynamicRecord.super.number(path);
   }
 
   @Override

@@ -34,12 +34,15 @@ public final class NumberPath {
    * @return the number, or none where there is something else or nothing
    */
   public OptionalDouble in(DynamicRecord record) {
-    OptionalDouble number = record instanceof DataRecord data ? follow(data.value()) : OptionalDouble.empty();
-    return number.isPresent() ? number : record.number(path);
+    if (!(record instanceof DataRecord data)) {
+      return record.number(path);
+    }
+    OptionalDouble number = follow(data.value());
+    return number.isPresent() ? number : data.numberOfFields(path);
   }
 
   /** None where the way by the fields of records has to tell what is there. */
-  OptionalDouble follow(Object value) {
+  private OptionalDouble follow(Object value) {
     Object at = value;
     int last = hops.length - 1;
     for (int i = 0; i < last && at != null; i++) {
